@@ -274,18 +274,24 @@ void vtkWaterLakes::Update()
   vtkAlgorithmOutput* input = mapper && mapper->GetNumberOfInputConnections(0) > 0
     ? mapper->GetInputConnection(0, 0)
     : nullptr;
-  vtkAlgorithmOutput* connected = internal.Filter->GetNumberOfInputConnections(0) > 0
-    ? internal.Filter->GetInputConnection(0, 0)
-    : nullptr;
-  if (connected != input)
+  if (internal.Input != input)
   {
-    internal.Filter->SetInputConnection(input);
+    internal.Input = input;
     internal.BuiltTime = 0;
   }
   internal.IsUncut = input && this->ReadUncut(input);
   if (input && !internal.IsUncut)
   {
+    // as a mapper does, at the time that was asked of it: a filter behind it would not see that
+    // time, and stay as it is
+    input->GetProducer()->Update(input->GetIndex());
+    internal.Filter->SetInputDataObject(
+      input->GetProducer()->GetOutputDataObject(input->GetIndex()));
     internal.Filter->Update();
+  }
+  else if (!input)
+  {
+    internal.Filter->SetInputDataObject(nullptr);
   }
   this->Rebuild();
   this->Follow();

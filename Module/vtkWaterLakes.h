@@ -72,7 +72,8 @@ public:
    * Shows the water of a solver's mesh: a vtkWaterSurfaceFilter of the mesh, with these names of
    * arrays of its level, its depth and the bed, and a vtkPolyDataMapper of the filter's output as
    * the mapper. Two of the names are enough; the others are empty. The mesh may change from frame
-   * to frame. Colours: SelectColorArray and the other settings of GetMapper().
+   * to frame. A reader's time step is chosen by UpdateTimeStep of the filter. Colours:
+   * SelectColorArray and the other settings of GetMapper().
    *
    * Returns the filter, for its other settings, or nullptr if the mesh is nullptr, which means no
    * water. The filter reports wrong arrays when it is updated. Default is no mesh.

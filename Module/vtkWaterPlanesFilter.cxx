@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkWaterCompat.h"
+#include "vtkWaterGridPolygons.h"
 #include "vtkWaterParts.h"
 #include "vtkWaterPolygons.h"
 #include "vtkWaterVertexNormals.h"
@@ -119,7 +120,8 @@ int vtkWaterPlanesFilter::RequestData(
     vtkErrorMacro(<< few << ". Such cells are left out.");
   }
   vtkNew<vtkPolyData> mesh;
-  vtkWaterPolygonsOf(input, mesh);
+  vtkWaterGridPolygons polygons;
+  polygons.Make(input, mesh);
   if (mesh->GetNumberOfPolys() == 0 || mesh->GetNumberOfPoints() == 0)
   {
     return 1;

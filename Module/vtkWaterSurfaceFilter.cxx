@@ -12,12 +12,15 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkWaterColumns.h"
 #include "vtkWaterCompat.h"
+#include "vtkWaterGridPolygons.h"
 #include "vtkWaterPolygons.h"
 #include "vtkWaterWetPart.h"
 #include "water_heights.h"
 #include "water_placement.h"
+#include "water_shore.h"
 
 #include <algorithm>
 #include <array>
@@ -127,17 +130,19 @@ int DimensionOf(vtkDataSet* data)
 std::array<vtkMTimeType, 5> CellsOf(vtkDataSet* data)
 {
   auto* mesh = vtkPolyData::SafeDownCast(data);
-  if (!mesh || mesh->GetNumberOfCells() != mesh->GetNumberOfPolys())
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  vtkCellArray* polygons = grid ? grid->GetCells() : mesh ? mesh->GetPolys() : nullptr;
+  if (!polygons || data->GetNumberOfCells() != polygons->GetNumberOfCells())
   {
     return {}; // not known
   }
-  vtkCellArray* polygons = mesh->GetPolys();
   return { 1, reinterpret_cast<vtkMTimeType>(polygons), polygons->GetMTime(),
     static_cast<vtkMTimeType>(polygons->GetNumberOfConnectivityIds()),
-    static_cast<vtkMTimeType>(mesh->GetNumberOfPoints()) };
+    static_cast<vtkMTimeType>(data->GetNumberOfPoints()) };
 }
 
-// Some values of an array, of places all over the mesh; empty: there is no array.
+// Some values of an array, of places all over the mesh, without fill values; empty: there is no
+// array.
 std::vector<double> SampleOf(vtkDataArray* array)
 {
   std::vector<double> values;
@@ -145,7 +150,7 @@ std::vector<double> SampleOf(vtkDataArray* array)
   const vtkIdType step = std::max<vtkIdType>(count / kSample, 1);
   for (vtkIdType i = 0; i < count; i += step)
   {
-    values.push_back(array->GetComponent(i, 0));
+    values.push_back(water_shore_known(array->GetComponent(i, 0)));
   }
   return values;
 }
@@ -193,7 +198,10 @@ double MeanHeightOf(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-vtkWaterSurfaceFilter::vtkWaterSurfaceFilter() = default;
+vtkWaterSurfaceFilter::vtkWaterSurfaceFilter()
+  : Polygons(std::make_unique<vtkWaterGridPolygons>())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkWaterSurfaceFilter::~vtkWaterSurfaceFilter() = default;
@@ -353,7 +361,7 @@ bool vtkWaterSurfaceFilter::ReadStep(vtkDataSet* input, vtkPolyData* mesh, vtkWa
     return false;
   }
   this->Checked = cells;
-  vtkWaterPolygonsOf(input, mesh);
+  this->Polygons->Make(input, mesh);
   vtkWaterColumns::Given given;
   const std::string wrong =
     FindAll(mesh, this->LevelArrayName, this->DepthArrayName, this->BedArrayName, given);

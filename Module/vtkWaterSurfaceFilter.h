@@ -17,8 +17,8 @@
  *
  * The shore lies where the bed reaches the level, between the points of the mesh: the level of wet
  * places is extended into adjacent dry places. A place that the solver marks as dry stays dry, even
- * if its bed is below that level, as behind a dyke. Values that are not finite, and depths below 0,
- * are dry.
+ * if its bed is below that level, as behind a dyke. Places with values that are not finite or
+ * beyond 1e9, as the fill values of files are, or with depths below 0, are dry.
  *
  * Output points have the arrays "WaterLevel" and "WaterDepth" (0 at the shore; absent with only the
  * level), in the unit of the mesh. Lines and vertices are left out. In a composite dataset each
@@ -43,6 +43,7 @@
 #include "vtkRenderingWaterModule.h" // for the export macro
 
 #include <array>
+#include <memory>
 #include <string>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -53,6 +54,7 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkPolyData;
 class vtkWaterColumns;
+class vtkWaterGridPolygons;
 class vtkWaterLakes;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterSurfaceFilter : public vtkPolyDataAlgorithm
@@ -158,6 +160,7 @@ private:
   bool IsSignTold = false;
   std::array<vtkMTimeType, 5> Checked{}; // the cells whose points have been checked
   vtkNew<vtkPolyData> Surface;           // whose mean it is, until it is known
+  std::unique_ptr<vtkWaterGridPolygons> Polygons;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -20,7 +20,7 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkPolyDataMap
 
 from . import vtkWaterActor, vtkWaterSurfaceFilter
 from .errors import heed, raising
-from .readers import ELEVATION, Surface
+from .readers import ELEVATION, HIGHEST, Surface
 from .solutions import array_of
 from .vertex_data import wrong_components
 from .words import set_look
@@ -315,7 +315,7 @@ def bed_of(mesh, level, depth, bed):
         heights = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2].astype(float)
     else:
         return None
-    heights = np.where(np.isfinite(heights), heights, np.nan)
+    heights = np.where(np.abs(heights) <= HIGHEST, heights, np.nan)
     return heights if has_known_cells(mesh, heights) else None
 
 

@@ -21,7 +21,7 @@ from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges, vtkStri
 
 from . import vtkWaterSurfaceFilter
 from .errors import raising
-from .readers import polygons_of
+from .readers import HIGHEST, polygons_of
 
 __all__ = ["flooded", "flooded_cells", "gauges", "probe", "profile", "shoreline"]
 
@@ -267,7 +267,8 @@ def flooded_cells(mesh, depth, dry_depth=0.0):
     mesh : vtkDataSet
         The solver's mesh, the input of the filter.
     depth : str
-        Name of the array of depths, of points or cells; of points if both have one. NaN is dry.
+        Name of the array of depths, of points or cells; of points if both have one. NaN is dry, and so
+        are depths beyond 1e9, the fill values of files.
     dry_depth : float
         Cells that are not deeper are dry; 0 or more, in the units of the mesh.
 
@@ -309,7 +310,7 @@ def flooded_cells(mesh, depth, dry_depth=0.0):
                 np.add.at(areas, corners, whole[:, None] / corners.shape[1])
             else:
                 np.add.at(areas, numbers, whole)
-    wet = depths > dry_depth
+    wet = (depths > dry_depth) & (depths <= HIGHEST)
     return float(areas[wet].sum()), float((depths[wet] * areas[wet]).sum())
 
 

@@ -191,7 +191,7 @@ def lakes_of(mapper, normal):
 
 def check_has_water(mapper, lakes, normal):
     """Raises ValueError if no part of a surface can be water; lakes is None if one level applies to all of it."""
-    mesh = mapper.GetInput()
+    mesh = pv.wrap(mapper.GetInput())
     if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
         raise ValueError(f"surface has no polygons, only {mesh.GetNumberOfVerts()} vertices and "
                          f"{mesh.GetNumberOfLines()} lines; water needs polygons")
@@ -255,14 +255,15 @@ def plane_of(level, normal, origin, scale):
 def mapper_of(surface):
     if not isinstance(surface, pv.DataSet):
         raise TypeError(f"surface must be a pyvista.DataSet, not {type(surface).__name__}")
-    mesh = surface
-    if not isinstance(surface, pv.PolyData):
+    mapper = pv.DataSetMapper()
+    if isinstance(surface, pv.PolyData):
+        mapper.SetInputDataObject(surface)
+    else:  # still connected: its points may move, and its arrays change
         outside = vtkDataSetSurfaceFilter()  # PyVista's extract_surface is about to do something else
-        outside.SetInputData(surface)
+        outside.SetInputDataObject(surface)
         outside.Update()
-        mesh = pv.wrap(outside.GetOutput())
-    if mesh.n_cells == 0:
+        mapper.SetInputConnection(outside.GetOutputPort())
+    if mapper.GetInput().GetNumberOfCells() == 0:
         raise ValueError("surface has no cells")
-    mapper = pv.DataSetMapper(dataset=mesh)
     mapper.ScalarVisibilityOff()
     return mapper

@@ -42,6 +42,30 @@ TEST(what_is_shallow_or_no_number_is_dry)
   assert_false(water_shore_column(3.0, 1.0, 0.0, 0.01).is_wet);
 }
 
+TEST(fill_values_of_files_are_dry)
+{
+  const double none = (double)NAN;
+  const double fills[] = { 9.96921e36, 1e20, -1e20, 1.001e9, -1.001e9 };
+  for (size_t i = 0; i < sizeof fills / sizeof fills[0]; ++i)
+  {
+    const double fill = fills[i];
+    assert_false(water_shore_column(fill, none, none, 0.0).is_wet);
+    assert_false(water_shore_column(fill, 1.0, none, 0.0).is_wet);
+    assert_false(water_shore_column(fill, 1.0, 2.0, 0.0).is_wet);
+    assert_false(water_shore_column(3.0, fill, none, 0.0).is_wet);
+    assert_false(water_shore_column(3.0, fill, 2.0, 0.0).is_wet);
+    assert_false(water_shore_column(none, fill, 2.0, 0.0).is_wet);
+    assert_false(water_shore_column(3.0, none, fill, 0.0).is_wet);
+    assert_false(water_shore_column(none, 1.0, fill, 0.0).is_wet);
+    ASSERT_CLOSE(water_shore_level(none, fill), 0.0, 0.0);
+    assert_true(isnan(water_shore_known(fill)));
+    assert_true(water_shore_depth(false, 3.0, fill) < 0.0);
+    assert_true(water_shore_depth(false, 3.0, fill) > -10.0); // the shore is not at its neighbour
+  }
+  assert_true(water_shore_column(none, 0.999e9, 1.0, 0.0).is_wet);
+  ASSERT_CLOSE(water_shore_known(-0.999e9), -0.999e9, 0.0);
+}
+
 // The shore lies where the bed reaches the level, and dry land never comes under water.
 TEST(depths_cross_zero_at_the_shore)
 {
@@ -145,10 +169,11 @@ TEST(columns_are_those_of_single_points)
 {
   enum
   {
-    VALUES = 6,
+    VALUES = 7,
     ROWS = VALUES * VALUES * VALUES
   };
-  const double values[VALUES] = { 3.0, 1.0, -2.0, 0.0005, (double)NAN, (double)INFINITY };
+  const double values[VALUES] = { 3.0, 1.0, -2.0, 0.0005, (double)NAN, (double)INFINITY,
+    9.96921e36 };
   double given[3][ROWS];
   for (int i = 0; i < ROWS; ++i)
   {
@@ -192,6 +217,6 @@ TEST(land_has_the_level_of_its_bed)
 
 TESTS(the_shore_is_a_share_of_the_way_along_its_edge, triangles_cover_a_polygon,
   two_heights_make_the_third, a_level_alone_is_wet, what_is_shallow_or_no_number_is_dry,
-  depths_cross_zero_at_the_shore, polygons_are_cut_at_the_shore, a_corner_on_the_shore_stands_once,
-  water_that_meets_land_twice_is_split, columns_are_those_of_single_points,
-  land_has_the_level_of_its_bed)
+  fill_values_of_files_are_dry, depths_cross_zero_at_the_shore, polygons_are_cut_at_the_shore,
+  a_corner_on_the_shore_stands_once, water_that_meets_land_twice_is_split,
+  columns_are_those_of_single_points, land_has_the_level_of_its_bed)

@@ -6,12 +6,14 @@ import weakref
 
 import numpy as np
 import pytest
+import TestWaterSurfaceFilter
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper, vtkPolyDataMapper, vtkRenderer
 
 from vtkwater import vtkWaterActor, vtkWaterLakes, vtkWaterPlanesFilter
@@ -160,6 +162,45 @@ def test_the_water_of_a_solvers_mesh_is_one_call():
     view.picture()
     wt.check_equal("later", [round(water.GetLevel(), 9) for water in waters_of(lakes)], [0.6])
     wt.check_equal("of no mesh", lakes.SetData(None, "", "", "") is None and lakes.GetMapper() is None, True)
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_a_picture_is_a_function_of_the_pipelines_time(is_software, monkeypatch):
+    """In any order of times, at steps and between them."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    levels = (0.1, 0.5, -0.3)
+    between = vtkTemporalInterpolator()
+    source = TestWaterSurfaceFilter.Steps([flooded(level) for level in levels])
+    between.SetInputConnection(source.GetOutputPort())
+    lakes = vtkWaterLakes()
+    surface = lakes.SetData(between.GetOutputPort(), "zeta", "", "zb")
+    surface.SetDryDepth(0.0)
+    surface.UpdateTimeStep(1.5)  # VTK's interpolator refuses to be asked without a time
+    view = view_of(things())
+    view.renderer.AddActor(lakes.GetWater())
+    lakes.AddTo(view.renderer)
+    pictures = {}
+    for time in (0.0, 2.0, 0.5, 1.0, 0.5, 2.0, 0.0):
+        surface.UpdateTimeStep(time)
+        picture = view.picture().astype(int)
+        before = pictures.setdefault(time, picture)
+        wt.check_equal(f"pixels at {time} that differ from the first time", int((picture != before).any(axis=2).sum()), 0)
+        level = np.interp(time, range(len(levels)), levels)
+        wt.check_at_most(f"level at {time}: off by", abs(lakes.GetWater().GetLevel() - level), 1e-6)
+    wt.check_equal("cut while drawn", lakes.GetIsShoreCutWhileDrawn(), not is_software)
+    for time in (0.5, 1.0, 2.0):
+        changed = (pictures[time] != pictures[0.0]).any(axis=2).mean()
+        wt.check_at_least(f"pixels that change until {time}, %", 100 * changed, 2)
+
+
+def flooded(level):
+    """A lake over a bed that slopes along y."""
+    mesh = vtkPolyData()
+    mesh.ShallowCopy(mesh_of((0.0,), rows=20, columns=20, width=8.0))
+    bed = 0.6 * vtk_to_numpy(mesh.GetPoints().GetData())[:, 1]
+    set_array(mesh, "zb", bed)
+    set_array(mesh, "zeta", np.full(len(bed), level))
+    return mesh
 
 
 def set_array(mesh, name, values):

@@ -260,6 +260,8 @@ def test_cells_have_one_depth():
     add_array(mesh, "of cells", np.array((1.0, 0.5, np.nan, 2.0)), of_cells=True)
     wt.check_equal("area, volume", measure.flooded_cells(mesh, "of cells"), (3.0, 3.5))
     wt.check_equal("deeper than 0.5", measure.flooded_cells(mesh, "of cells", 0.5), (2.0, 3.0))
+    add_array(mesh, "filled", np.array((1.0, 9.96921e36, 1e20, 2.0)), of_cells=True)
+    wt.check_equal("without fill values", measure.flooded_cells(mesh, "filled"), (2.0, 3.0))
 
 
 def test_the_cell_of_a_point_is_its_share_of_the_polygons_around_it():

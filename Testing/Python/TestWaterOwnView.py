@@ -4,6 +4,7 @@
 import numpy as np
 import pytest
 import ray_caster
+import volumes
 import water_test as wt
 from vtkmodules.vtkCommonCore import vtkInformation
 from TestWaterRefractsAndAbsorbs import BED, clear_water, look_at, truth_of
@@ -173,3 +174,26 @@ def test_translucent_things_are_seen_through_the_water(has_own_view):
         wt.check_at_least("% of the pixels that show it", 100 * float(changed), 2)
     else:
         wt.check_equal("pixels that show it", float(changed), 0.0)
+
+
+@pytest.mark.parametrize("has_own_view", (False, True), ids=("picture", "own_view"))
+def test_a_plume_is_seen_through_the_water(has_own_view):
+    """A dense volume on the bed shows as a box of its size and colour does, with an own view; without one, nothing."""
+    low, high = np.array((-1.0, -1.0, -DEPTH)), np.array((1.0, 1.0, -DEPTH + 0.1))
+    pools = [Pool(), Pool(ray_caster.Box(0.5 * (low + high), high - low, RED)), Pool()]
+    dense = volumes.ray_cast(volumes.block(low, high), 0.01, [(0, *RED), (255, *RED)], [(0, 1.0), (255, 1.0)])
+    dense.GetProperty().SetScalarOpacityUnitDistance(0.001)
+    pools[2].made.renderer.AddVolume(dense)
+    for pool in pools:
+        pool.look.SetRefractionSource(int(has_own_view))
+    without, of_box, of_volume = (pool.made.picture().astype(int) for pool in pools)
+    wt.save(of_volume.astype(np.uint8), wt.output_folder() / f"TestWaterOwnView-plume-{has_own_view}.png")
+    shown = np.abs(of_box - without).max(axis=2) > 10
+    wt.check_at_least("% of the pixels that show the box", 100 * float(shown.mean()), 2)
+    if has_own_view:
+        off = np.abs(of_volume - of_box).max(axis=2)
+        wt.check_at_most("off where the box is, of 255, median", float(np.median(off[shown])), 8)
+        wt.check_at_most("% of the box's pixels that are off by more than 40", 100 * float((off[shown] > 40).mean()), 1)
+        wt.check_at_most("% of the other pixels that are off by more than 40", 100 * float((off[~shown] > 40).mean()), 0.3)
+    else:
+        wt.check_at_most("pixels that show the volume", int((of_volume != without).any(axis=2).sum()), 0)

@@ -82,6 +82,23 @@ def test_water_follows_its_arrays(plotter):
     wt.check_equal("shares of the picture grow", shares == sorted(set(shares)), True)
 
 
+@pytest.mark.parametrize("kind", ("polygons", "rows", "cells"))
+def test_a_surface_that_moves_is_followed(kind, plotter):
+    """Without arrays of heights, its points are the water; its colours are those of the frame, too."""
+    rows = solution()
+    mesh = {"polygons": lambda: rows.extract_surface(algorithm=None), "rows": lambda: rows,
+            "cells": rows.cast_to_unstructured_grid}[kind]()
+    water = plotter.add_water(mesh, color_by="c", clim=(-5, 5), scalar_bar=False)
+    places = mesh.points.copy()
+    for height in (0.5, -1.0):
+        mesh.points = places + (0, 0, height)
+        before = from_above(plotter)
+        wt.check_at_most(f"level at {height}: off by", abs(water.GetLevel() - height), 1e-6)
+        mesh["c"] = -np.asarray(mesh["c"])
+        changed = (from_above(plotter) != before).any(axis=2).mean()
+        wt.check_at_least(f"other colours at {height}: pixels that change, %", 100 * changed, 20)
+
+
 def pools(levels, scale=1.0):
     """Squares of 2 x 2 side by side, not joined; an array of their levels."""
     squares = [pv.Plane(center=(3 * i, 0, scale * level), i_size=2, j_size=2, i_resolution=1, j_resolution=1)

@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 import TestWaterShoreline as tide
 import water_test as wt
-from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkwater import vtkWaterLakes
 
@@ -99,6 +101,90 @@ def test_pictures_are_those_of_the_filter(areas_have_quads, refracts, samples):
     wt.check_at_most(f"{name}: pixels off by more than 1 of 255, %", worst_of(pairs), limit)
     steps = [picture for _, picture in pairs]
     wt.check_at_least(f"{name}: pixels that the tide changes, %", worst_of([steps[:2]]), 5)
+
+
+class Basin:
+    """Water of 10,000 quads over a bed that curves, from straight above; it is all that is dark."""
+
+    PICTURE, SIDE, HALF = (400, 300), 101, 500.0
+
+    def __init__(self, cut, place=(0.0, 0.0)):
+        self.mesh, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+        self.x, self.y = (part.ravel() for part in np.meshgrid(*2 * [np.linspace(-self.HALF, self.HALF, self.SIDE)]))
+        first = (np.arange(self.SIDE - 1)[:, None] * self.SIDE + np.arange(self.SIDE - 1)).ravel()
+        for quad in np.stack([first, first + 1, first + self.SIDE + 1, first + self.SIDE], axis=1).tolist():
+            cells.InsertNextCell(4, quad)
+        points.SetData(numpy_to_vtk(np.column_stack([self.x + place[0], self.y + place[1], 0 * self.x]), deep=True))
+        self.mesh.SetPoints(points)
+        self.mesh.SetPolys(cells)
+        tide.add(self.mesh, "zb", self.bed_at(self.x, self.y))
+        self.source, self.water = vtkTrivialProducer(), vtkWaterLakes()
+        self.source.SetOutput(self.mesh)
+        self.view = wt.View(self.PICTURE, (1, 1, 1))
+        self.set_step(0)
+        self.water.SetData(self.source.GetOutputPort(), "", "h", "zb")
+        self.water.SetShoreCut(cut)
+        look = self.water.GetWater().GetWaterProperty()
+        look.SetReflectanceModeToConstant()
+        look.SetReflectance(0.0)
+        look.SetDeepColor(0, 0, 0)
+        self.water.AddTo(self.view.renderer)
+        camera = wt.place_camera(self.view.renderer, (*place, 900), (*place, 0), (100, 2000), (0, 1, 0))
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(0.9 * self.HALF)
+
+    @staticmethod
+    def bed_at(x, y):
+        return -8 + 10 * (np.hypot(x, y) / 500) ** 2 + 1.5 * np.sin(x / 60) * np.cos(y / 45)
+
+    def depth_at(self, x, y, step):
+        return 0.3 * np.sin(0.3 * step) + 0.05 * np.sin(x / 30 - 0.5 * step) - self.bed_at(x, y)
+
+    def set_step(self, step):
+        tide.add(self.mesh, "h", self.depth_at(self.x, self.y, step))
+        self.mesh.Modified()
+        self.source.Modified()
+
+    def is_wet(self, step):
+        self.set_step(step)
+        return self.view.picture()[:, :, 0] < 128
+
+    def shore_distance(self, step):
+        """Pixels from each pixel to the zero of the depth, which is bilinear in a quad; positive where it is wet."""
+        columns, rows = self.PICTURE
+        scale = 2 * 0.9 * self.HALF / rows
+        x, y = (np.arange(columns) + 0.5 - columns / 2) * scale, (np.arange(rows)[:, None] + 0.5 - rows / 2) * scale
+        depth = self.depth_at(self.x, self.y, step).reshape(self.SIDE, self.SIDE)
+        (i, u), (j, v) = (np.divmod(np.clip((place + self.HALF) / (2 * self.HALF) * (self.SIDE - 1), 0,
+                                            self.SIDE - 1 - 1e-9), 1) for place in (x, y))
+        i, j = i.astype(int), j.astype(int)
+        found = ((1 - v) * ((1 - u) * depth[j, i] + u * depth[j, i + 1])
+                 + v * ((1 - u) * depth[j + 1, i] + u * depth[j + 1, i + 1]))
+        found[:, np.abs(x) > self.HALF] = np.nan
+        return found / np.hypot(*np.gradient(found))
+
+
+@pytest.mark.parametrize("cut", (vtkWaterLakes.CUT_IN_FILTER, vtkWaterLakes.CUT_WHILE_DRAWN), ids=("filter", "drawn"))
+def test_the_shore_of_quads_is_within_half_a_pixel(cut):
+    """Both ways to cut are exact to half a pixel, so where they differ, neither is wrong by more."""
+    basin = Basin(cut)
+    for step in (1, 4, 9):
+        wet, distance = basin.is_wet(step), basin.shore_distance(step)
+        wrong = np.isfinite(distance) & (wet != (distance > 0))
+        wt.check_equal(f"step {step}: wrong pixels, over half a pixel off", int((np.abs(distance[wrong]) > 0.5).sum()), 0)
+        wt.check_at_least(f"step {step}: pixels on the shore", int((np.abs(distance) < 1).sum()), 200)
+        wt.check_at_least(f"step {step}: % that is wet", 100 * float(wet.mean()), 30)
+    wt.check_equal("cut while drawn", basin.water.GetIsShoreCutWhileDrawn(), cut == vtkWaterLakes.CUT_WHILE_DRAWN)
+
+
+@pytest.mark.parametrize("cut", (vtkWaterLakes.CUT_IN_FILTER, vtkWaterLakes.CUT_WHILE_DRAWN), ids=("filter", "drawn"))
+def test_a_mesh_in_utm_coordinates_has_the_same_shore(cut):
+    """Places are doubles, and stay so until VTK moves them to the middle of the mesh."""
+    near, far = Basin(cut), Basin(cut, (500_000.0, 4_500_000.0))
+    for step in (1, 4, 9):
+        wt.check_equal(f"step {step}: pixels off", int((near.is_wet(step) != far.is_wet(step)).sum()), 0)
+        wt.check_at_least(f"step {step}: % that is wet", 100 * float(far.is_wet(step).mean()), 30)
+    wt.check_equal("cut while drawn", far.water.GetIsShoreCutWhileDrawn(), cut == vtkWaterLakes.CUT_WHILE_DRAWN)
 
 
 def test_two_levels_of_water():

@@ -7,8 +7,9 @@ import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
-from vtkwater import vtkWaterActor, vtkWaterSurfaceFilter
+from vtkwater import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 
 STEPS = 100
 SIZE = (160, 120)
@@ -60,26 +61,74 @@ def places_of_pixels():
     return u * way, v * way, scale
 
 
+def quads_of(mesh):
+    """The same, each two triangles one cell."""
+    cells, row = vtkCellArray(), CELLS + 1
+    for first in (np.arange(CELLS)[:, None] * row + np.arange(CELLS)).ravel().tolist():
+        cells.InsertNextCell(4, [first, first + 1, first + row + 1, first + row])
+    mesh.SetPolys(cells)
+
+
+class CutByFilter:
+    """A water whose shore vtkWaterSurfaceFilter cuts."""
+
+    def __init__(self, mesh, renderer):
+        self.surface, mapper, self.water = vtkWaterSurfaceFilter(), vtkPolyDataMapper(), vtkWaterActor()
+        self.surface.SetInputData(mesh)
+        self.surface.SetDepthArrayName("h")
+        self.surface.SetBedArrayName("zb")
+        mapper.SetInputConnection(self.surface.GetOutputPort())
+        mapper.ScalarVisibilityOff()
+        self.water.SetMapper(mapper)
+        renderer.AddActor(self.water)
+
+    def update(self):
+        self.surface.Update()
+        self.water.SetLevel(self.surface.GetMeanLevel())
+
+    def check(self):
+        """The filter says how many cells it cut."""
+        wt.check_at_least("cells that the filter cut", self.surface.GetNumberOfCutCells(), 10)
+
+
+class CutWhileDrawn:
+    """One whose shore is cut while it is drawn, as on a GPU."""
+
+    def __init__(self, mesh, renderer):
+        self.source, self.lakes = vtkTrivialProducer(), vtkWaterLakes()
+        self.source.SetOutput(mesh)
+        self.lakes.SetData(self.source.GetOutputPort(), "", "h", "zb")
+        self.lakes.SetShoreCut(vtkWaterLakes.CUT_WHILE_DRAWN)
+        self.lakes.AddTo(renderer)
+        self.water = self.lakes.GetWater()
+
+    def update(self):
+        self.source.Modified()
+
+    def check(self):
+        wt.check_equal("cut while drawn", self.lakes.GetIsShoreCutWhileDrawn(), True)
+
+
+@pytest.mark.parametrize("areas_have_quads", (False, True), ids=("triangles", "quads"))
+@pytest.mark.parametrize("cut", (CutByFilter, CutWhileDrawn))
 @pytest.mark.parametrize("samples", (0, 4))
-def test_the_shore_is_where_the_depth_is_zero(samples):
+def test_the_shore_is_where_the_depth_is_zero(samples, cut, areas_have_quads, monkeypatch):
     """Every pixel that is further than half a pixel from the exact line is wet or dry as the depth says, over 100
     steps; the land's pixels that are dry in two steps are the same in both."""
+    if cut is CutWhileDrawn:
+        monkeypatch.setenv("VTK_WATER_SOFTWARE", "0")
     mesh, places = grid()
+    if areas_have_quads:
+        quads_of(mesh)
     view = wt.View(SIZE, (0, 0, 0), samples=samples)
     land = wt.add_actor(view.renderer, mesh, (0.8, 0.4, 0.1))
     land.GetProperty().LightingOff()
-    surface, mapper, water = vtkWaterSurfaceFilter(), vtkPolyDataMapper(), vtkWaterActor()
-    surface.SetInputData(mesh)
-    surface.SetDepthArrayName("h")
-    surface.SetBedArrayName("zb")
-    mapper.SetInputConnection(surface.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    water.SetMapper(mapper)
-    look = water.GetWaterProperty()
+    add(mesh, "h", np.maximum(level_of(0) - places[:, 2], 0.0))
+    made = cut(mesh, view.renderer)
+    look = made.water.GetWaterProperty()
     look.SetReflectanceModeToConstant()
     look.SetReflectance(0.0)
     look.SetDeepColor(0.0, 0.0, 1.0)
-    view.renderer.AddActor(water)
     camera = wt.place_camera(view.renderer, (0, 0, HEIGHT), (0, 0, 0), (20, 60), (0, 1, 0))
     camera.SetViewAngle(ANGLE)
     x, y, scale = places_of_pixels()
@@ -92,8 +141,7 @@ def test_the_shore_is_where_the_depth_is_zero(samples):
         level = level_of(step)
         add(mesh, "h", np.maximum(level - places[:, 2], 0.0))
         mesh.Modified()
-        surface.Update()
-        water.SetLevel(surface.GetMeanLevel())
+        made.update()
         picture = view.picture().astype(int)
         depth = level - bed_at(x, y)
         dry = inside & (depth < -margin)
@@ -104,7 +152,8 @@ def test_the_shore_is_where_the_depth_is_zero(samples):
         if before is not None:
             changed += int((dry & before_dry & (picture != before).any(axis=2)).sum())
         before, before_dry = picture, dry
-    wt.save(before, wt.output_folder() / f"Shoreline-{samples}.png")
+    wt.save(before, wt.output_folder() / f"Shoreline-{samples}-{cut.__name__}.png")
+    made.check()
     wt.check_equal(f"pixels of {STEPS} steps on the wrong side, by more than half a pixel", wrong, 0)
     wt.check_equal(f"dry pixels of {STEPS} steps that change", changed, 0)
     wt.check_at_least("share of the last picture that is wet", float(is_water[inside].mean()), 0.1)

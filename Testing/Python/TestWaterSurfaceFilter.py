@@ -9,7 +9,8 @@ import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, vtkCellArray, vtkDataObject, vtkDataSetAttributes, vtkImageData,
+                                           vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData, vtkDelaunay2D
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
@@ -159,18 +160,33 @@ def test_a_film_is_dry():
     wt.check_equal("cells with a smaller threshold", surface.GetNumberOfCells(), mesh.GetNumberOfCells())
 
 
-@pytest.mark.parametrize("bad", (float("nan"), float("inf"), -1.0))
-def test_what_is_no_depth_is_dry(bad):
+FILLS = (9.96921e36, 1e20, -1e20)  # of NetCDF and of models
+NO_NUMBERS = (float("nan"), float("inf"))
+NO_HEIGHTS = [  # a bed that is no number is not known; -1 is a level as any other
+    *(({"DepthArrayName": "h", "BedArrayName": "zb"}, "h", bad) for bad in (*NO_NUMBERS, -1.0, *FILLS)),
+    *(({"DepthArrayName": "h", "BedArrayName": "zb"}, "zb", bad) for bad in FILLS),
+    *(({"LevelArrayName": "zeta", "BedArrayName": "zb"}, "zeta", bad) for bad in (*NO_NUMBERS, *FILLS)),
+    *(({"LevelArrayName": "zeta", "BedArrayName": "zb"}, "zb", bad) for bad in FILLS),
+    *(({"LevelArrayName": "zeta"}, "zeta", bad) for bad in (*NO_NUMBERS, *FILLS))]
+
+
+@pytest.mark.parametrize("names, spoilt, bad", NO_HEIGHTS,
+                         ids=lambda value: "_".join(value) if isinstance(value, dict) else str(value))
+def test_what_is_no_height_is_dry(names, spoilt, bad):
+    """The water ends beside it, and is elsewhere as it was."""
+    if (spoilt == "zb" and not abs(bad) > 1e9) or (spoilt == "zeta" and bad == -1.0):
+        pytest.skip("a bed that is no number is not known, and -1 is a level as any other")
     mesh = flooded(10.0)
-    depths = vtk_to_numpy(mesh.GetPointData().GetArray("h")).copy()
-    far = places_of(mesh, False)[:, 0] > 2
-    depths[far] = bad
-    add_array(mesh, "h", depths)
-    _, surface, said = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    values = vtk_to_numpy(mesh.GetPointData().GetArray(spoilt)).copy()
+    values[places_of(mesh, False)[:, 0] > 2] = bad
+    add_array(mesh, spoilt, values)
+    _, surface, said = surface_of(mesh, **names)
     wt.check_equal("errors", said, [])
-    wt.check_equal("numbers are finite", bool(np.isfinite(points_of(surface)).all()), True)
-    wt.check_at_most("water reaches to x", float(points_of(surface)[:, 0].max()), 3.5)
-    wt.check_at_least("and to x", float(points_of(surface)[:, 0].max()), 2.0)
+    places = points_of(surface)
+    wt.check_equal("numbers are finite", bool(np.isfinite(places).all()), True)
+    wt.check_at_most("water reaches to x", float(places[:, 0].max()), 3.5)
+    wt.check_at_least("and to x", float(places[:, 0].max()), 2.0)
+    wt.check_at_most("heights off by", float(np.abs(places[:, 2] - 10.0).max()), 1e-9)
 
 
 def test_the_level_alone_is_wet_everywhere():
@@ -234,14 +250,134 @@ def unstructured():
     return append.GetOutput()
 
 
-@pytest.mark.parametrize("make", (image, unstructured))
+def rectilinear():
+    grid, side = vtkRectilinearGrid(), HALF * np.sin(np.linspace(-0.5, 0.5, 41) * np.pi)
+    grid.SetDimensions(41, 41, 1)
+    for set_coordinates, values in ((grid.SetXCoordinates, side), (grid.SetYCoordinates, side[::2].repeat(2)[:-1])):
+        set_coordinates(numpy_to_vtk(values, deep=True))
+    grid.SetZCoordinates(numpy_to_vtk(np.zeros(1), deep=True))
+    return grid
+
+
+def structured():
+    grid, points = vtkStructuredGrid(), vtkPoints()
+    y, x = np.meshgrid(*2 * [np.linspace(-HALF, HALF, 41)], indexing="ij")
+    swing = 0.05 * (HALF**2 - x**2) * (HALF**2 - y**2) / HALF**2
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(np.c_[(x + 0.3 * swing).ravel(), (y - swing).ravel(), 0 * x.ravel()], deep=True))
+    grid.SetDimensions(41, 41, 1)
+    grid.SetPoints(points)
+    return grid
+
+
+def pixels():
+    """Cells that are no polygons: their corners are in rows."""
+    grid, points, corners = vtkUnstructuredGrid(), vtkPoints(), places_at(image())
+    for place in corners:
+        points.InsertNextPoint(place)
+    grid.SetPoints(points)
+    for row in range(40):
+        for column in range(40):
+            first = 41 * row + column
+            grid.InsertNextCell(VTK_PIXEL, 4, [first, first + 1, first + 41, first + 42])
+    return grid
+
+
+KINDS = (image, rectilinear, structured, unstructured, pixels)
+
+
+def places_at(mesh):
+    return np.array([mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())])
+
+
+@pytest.mark.parametrize("make", KINDS)
 def test_other_kinds_of_meshes(make):
     mesh = make()
-    places = np.array([mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())])
+    places = places_at(mesh)
     add_array(mesh, "h", np.maximum(0.4 - bed_at(places), 0.0))
     add_array(mesh, "zb", bed_at(places))
     _, surface, _ = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
     wt.check_at_most("area off by", abs(area_of(surface) - wet_area(0.4)), 1e-5)
+
+
+@pytest.mark.parametrize("make", KINDS)
+def test_arrays_stay_with_their_places(make):
+    """Of points and of cells, whatever order the cells have; in a mesh that is wet everywhere."""
+    mesh = make()
+    places = places_at(mesh)
+    middles = np.array([np.reshape(mesh.GetCell(i).GetBounds(), (3, 2)).mean(axis=1)
+                        for i in range(mesh.GetNumberOfCells())])
+    add_array(mesh, "zeta", np.full(len(places), 9.0))
+    add_array(mesh, "x", places[:, 0])
+    add_array(mesh, "middle x", middles[:, 0], of_cells=True)
+    _, surface, _ = surface_of(mesh, LevelArrayName="zeta")
+    made = vtk_to_numpy(surface.GetPointData().GetArray("x"))
+    wt.check_at_most("x of points off by", float(np.abs(made - points_of(surface)[:, 0]).max()), 1e-6)
+    made = vtk_to_numpy(surface.GetCellData().GetArray("middle x"))
+    at = [np.reshape(surface.GetCell(i).GetBounds(), (3, 2)).mean(axis=1)[0] for i in range(surface.GetNumberOfCells())]
+    wt.check_equal("cells", len(made), mesh.GetNumberOfCells())
+    wt.check_at_most("x of cells off by", float(np.abs(made - at).max()), 1e-6)
+
+
+@pytest.mark.parametrize("make", (image, rectilinear, structured, unstructured))
+def test_polygons_of_a_grid_are_listed_once(make):
+    """Later steps have the same list, so nothing that is known of its cells is lost; another grid has its own."""
+    mesh = make()
+    add_array(mesh, "zeta", np.full(mesh.GetNumberOfPoints(), 1.0))
+    made, surface, _ = surface_of(mesh, LevelArrayName="zeta")
+    cells = surface.GetPolys()
+    add_array(mesh, "zeta", np.full(mesh.GetNumberOfPoints(), 2.0))
+    mesh.Modified()
+    made.Update()
+    wt.check_equal("the same cells", made.GetOutput().GetPolys() is cells, True)
+    wt.check_at_most("height off by", float(np.abs(points_of(made.GetOutput())[:, 2] - 2.0).max()), 1e-12)
+    other = vtkImageData()
+    other.SetDimensions(11, 21, 1)
+    add_array(other, "zeta", np.full(231, 3.0))
+    made.SetInputData(other)
+    made.Update()
+    wt.check_at_most("area of another grid off by", abs(area_of(made.GetOutput()) - 200.0), 1e-9)
+
+
+def test_a_grid_that_moves_is_followed():
+    """Its dimensions stay; origin and spacing do not."""
+    mesh = image()
+    add_array(mesh, "zeta", np.full(mesh.GetNumberOfPoints(), 1.0))
+    made, _, _ = surface_of(mesh, LevelArrayName="zeta")
+    mesh.SetOrigin(0.0, 0.0, 0.0)
+    mesh.SetSpacing(0.5, 0.25, 1.0)
+    made.Update()
+    wt.check_equal("bounds", made.GetOutput().GetBounds()[:4], (0.0, 20.0, 0.0, 10.0))
+
+
+def hide(attributes, count, numbers, mark):
+    marks = np.zeros(count, np.uint8)
+    marks[numbers] = mark
+    array = numpy_to_vtk(marks, deep=True)
+    array.SetName(vtkDataSetAttributes.GhostArrayName())
+    attributes.AddArray(array)
+
+
+@pytest.mark.parametrize("make", (image, rectilinear, structured, unstructured))
+def test_hidden_cells_are_left_out(make):
+    """And the values of the others stay with them."""
+    mesh = make()
+    cells = np.arange(mesh.GetNumberOfCells())
+    add_array(mesh, "zeta", np.full(mesh.GetNumberOfPoints(), 1.0))
+    add_array(mesh, "number", cells, of_cells=True)
+    hide(mesh.GetCellData(), len(cells), cells[::2], vtkDataSetAttributes.HIDDENCELL)
+    _, surface, _ = surface_of(mesh, LevelArrayName="zeta")
+    left = vtk_to_numpy(surface.GetCellData().GetArray("number")).astype(int).tolist()
+    wt.check_equal("cells that are left", left, cells[1::2].tolist())
+
+
+def test_cells_of_hidden_points_are_left_out():
+    mesh = image()
+    count = mesh.GetNumberOfPoints()
+    add_array(mesh, "zeta", np.full(count, 1.0))
+    hide(mesh.GetPointData(), count, [0, count // 2], vtkDataSetAttributes.HIDDENPOINT)
+    _, surface, _ = surface_of(mesh, LevelArrayName="zeta")
+    wt.check_equal("cells", surface.GetNumberOfPolys(), mesh.GetNumberOfCells() - 5)
 
 
 def test_the_z_of_the_mesh_is_the_bed_where_none_is_given():
@@ -539,6 +675,19 @@ def test_another_unit_is_told_once(name, factor, names, words, of_cells):
     said = warnings_of(with_unit(name, factor, of_cells), **names)
     wt.check_equal("warnings", len(said), 1)
     wt.check_equal(f"words in: {said[0]}", [word for word in words if word not in said[0]], [])
+
+
+@pytest.mark.parametrize("name, names", [
+    (name, names) for names in (LEVEL_DEPTH_BED, LEVEL_BED, {"DepthArrayName": "h", "BedArrayName": "zb"})
+    for name in names.values()], ids=lambda value: value if isinstance(value, str) else "of_" + "_".join(value.values()))
+def test_fill_values_are_of_no_unit(name, names):
+    """Of places without data nothing is known: a right mesh is not told to be wrong, and a wrong one is."""
+    for factor, count in ((1.0, 0), (100.0, 1)):
+        mesh = with_unit(next(iter(names.values())), factor, False)
+        values = vtk_to_numpy(mesh.GetPointData().GetArray(name)).copy()
+        values[::3] = 9.96921e36
+        add_array(mesh, name, values)
+        wt.check_equal(f"warnings, {factor:g}", len(warnings_of(mesh, **names)), count)
 
 
 @pytest.mark.parametrize("bed, sea, wave", (

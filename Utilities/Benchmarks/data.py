@@ -13,13 +13,15 @@ import data_steps
 import lakes
 import numpy as np
 import TestWaterDataColor as color
-from data_steps import CLEAR, COLOURED, KINDS, PLAIN
+from data_steps import CELLS as OF_CELLS
+from data_steps import CLEAR, COLOURED, KINDS, PLAIN, ROWS
 from report import table
 from timing import Frame, measure
 
 CELLS, QUICK_CELLS = 1_000_000, 40_000
 FILE_CELLS, QUICK_FILE_CELLS = 10_000_000, 90_000
 ROUNDS, QUICK_ROUNDS = 12, 3
+GRID_ROUNDS = 6
 BUDGET_S, QUICK_BUDGET_S = 180.0, 5.0
 STEPS, QUICK_STEPS = 100, 12
 PICTURES, QUICK_PICTURES = 3, 1  # of each kind, in turns
@@ -55,16 +57,23 @@ of the pixels:
 
 $small_steps
 
+The same cells in other data sets, coloured, over VTK's plain surface of the same data set:
+
+$grids
+
 The first picture of a file of $file_cells cells without compression, each in a new process, from the file's name on:
 
 $first
 
 Reading and drawing a step of a series of compressed files with a quarter of the cells takes $ahead
 
-The memory of a process that shows $count steps goes up and down by $memory MB over the second half of the steps, with
-the area of the water. It is measured without llvmpipe's threads, which keep lists of triangles for an arbitrary time.
+What a process has allocated while it shows $count steps goes up and down over the second half of the steps, by so many
+MB. It is measured without llvmpipe's threads, which keep lists of triangles of finished pictures for an arbitrary time.
+What water has in use follows its area.
 
-50 lakes of one mesh at 50 levels, 6 of them in view, take $lakes_ms ms per frame with $lakes_views mirrored views. 6 waters that are placed by hand take $placed_ms ms with $placed_views views (ratio $lakes_ratio). Pixels that differ: $lakes_pixels.
+$memory
+
+50 lakes of one mesh at 50 levels, 6 of them in view, take $lakes_ms ms per frame with $lakes_views mirrored views. 6 waters that are placed by hand take $placed_ms ms with $placed_views views (ratio of the work $lakes_ratio). Pixels that differ: $lakes_pixels.
 
 Values of $places random places of a coloured surface, read back from the picture's pixels with optics off: off by at
 most $color_error steps of the table.
@@ -88,15 +97,34 @@ def _measure_steps(results, cells, scene="step", size=data_steps.SIZE):
                   for frame in frames])
 
 
+def _measure_grids(results, cells):
+    """VTK lists the surface of a grid anew in each step; the water lists it once."""
+    rows = []
+    for data in (OF_CELLS, ROWS):
+        frames = []
+        for kind in (PLAIN, COLOURED):
+            view = data_steps.View(kind, data_steps.Tide(cells), data=data)
+            frames.append(Frame(kind, view.window, lambda turn, view=view: view.choose(turn + 1)))
+        measure(frames, results.rounds(GRID_ROUNDS, QUICK_ROUNDS), QUICK_BUDGET_S if results.is_quick else BUDGET_S, 1)
+        plain, coloured = frames
+        ratio = coloured.work / plain.work
+        for frame in frames:
+            results.row("data", data, frame.name, **frame.row, ratio=frame.work / plain.work)
+        if not results.is_quick:
+            results.check_at_most(f"data: work of a step of a {data}, coloured / plain", ratio, MOST_STEP)
+        rows.append((data, f"{plain.work:.0f}", f"{coloured.work:.0f}", f"{ratio:.2f}"))
+    return table(("data set", "work of plain, ms", "work of coloured, ms", "coloured / plain"), rows)
+
+
 def _measure_lakes(results):
-    medians, views, different = lakes.compare(results.rounds(FRAMES, QUICK_FRAMES))
-    ratio = medians[0] / medians[1]
-    results.row("data", "50 lakes", "of one mesh", median_ms=medians[0], ratio=ratio, views=views[0])
-    results.row("data", "50 lakes", "6 placed by hand", median_ms=medians[1], views=views[1])
+    medians, works, views, different = lakes.compare(results.rounds(FRAMES, QUICK_FRAMES))
+    ratio = works[0] / works[1]
+    results.row("data", "50 lakes", "of one mesh", median_ms=medians[0], work_ms=works[0], ratio=ratio, views=views[0])
+    results.row("data", "50 lakes", "6 placed by hand", median_ms=medians[1], work_ms=works[1], views=views[1])
     results.check_at_most("data: mirrored views of 50 lakes, 6 in view", views[0], lakes.IN_VIEW)
     results.check_at_most("data: pixels of 50 lakes that differ from 6 placed by hand", different, 0)
     if not results.is_quick:
-        results.check_at_most("data: frame of 50 lakes / 6 placed by hand", ratio, lakes.MOST_RATIO)
+        results.check_at_most("data: work of a frame of 50 lakes / 6 placed by hand", ratio, lakes.MOST_RATIO)
     return {"lakes_ms": f"{medians[0]:.1f}", "placed_ms": f"{medians[1]:.1f}", "lakes_views": f"{views[0]:g}",
             "placed_views": f"{views[1]:g}", "lakes_ratio": f"{ratio:.2f}", "lakes_pixels": different}
 
@@ -143,14 +171,24 @@ def _measure_first(results):
                   for kind, (took, work) in medians.items()])
 
 
-def _measure_memory(results):
+def _change_of(kind, results, **environment):
+    """MB up or down over the later half of the steps, and MB after the last one."""
     steps = results.rounds(STEPS, QUICK_STEPS)
-    held = _process(COLOURED, "--cells", results.rounds(CELLS, QUICK_CELLS), "--steps", steps, **NO_THREADS)
+    held = _process(kind, "--cells", results.rounds(CELLS, QUICK_CELLS), "--steps", steps, **environment)
     later = np.array(held[steps // 2:]) / 2**20
-    change = float(later.max() - later.min()) / 2
-    results.row("data", "memory", COLOURED, change_mb=change, held_mb=float(later[-1]))
+    return float(later.max() - later.min()) / 2, float(later[-1])
+
+
+def _measure_memory(results):
+    rows = []
+    for kind in (PLAIN, COLOURED):
+        change, held = _change_of(kind, results, **NO_THREADS)
+        results.row("data", "memory", kind, change_mb=change, held_mb=held)
+        with_threads, _ = _change_of(kind, results)
+        results.row("data", "memory with llvmpipe's threads", kind, change_mb=with_threads)
+        rows.append((kind, f"{change:.1f}", f"{held:.0f}", f"{with_threads:.1f}"))
     results.check_at_most("data: memory over the later half of the steps, MB up or down", change, MOST_MEMORY)
-    return change
+    return table(("surface", "up or down, MB", "after the last step, MB", "up or down with llvmpipe's threads, MB"), rows)
 
 
 def _measure_ahead(results):
@@ -172,9 +210,10 @@ def run(results):
     cells = results.rounds(CELLS, QUICK_CELLS)
     few = results.rounds(FEW_CELLS, QUICK_FEW_CELLS)
     half = tuple(side // 2 for side in data_steps.SIZE)
-    results.add("Data", TEXT, load=results.machine["load"], cells=f"{cells:,}", width=data_steps.SIZE[0], height=data_steps.SIZE[1],
-                steps=_measure_steps(results, cells), few=f"{few:,}",
-                few_steps=_measure_steps(results, few, "few cells"), small_steps=_measure_steps(results, cells, "small picture", half), first=_measure_first(results),
+    results.add("Data", TEXT, load=results.machine["load"], cells=f"{cells:,}", width=data_steps.SIZE[0],
+                height=data_steps.SIZE[1], steps=_measure_steps(results, cells), few=f"{few:,}",
+                few_steps=_measure_steps(results, few, "few cells"), small_steps=_measure_steps(results, cells, "small picture", half),
+                grids=_measure_grids(results, cells), first=_measure_first(results),
                 file_cells=f"{results.rounds(FILE_CELLS, QUICK_FILE_CELLS):,}", ahead=_measure_ahead(results),
-                count=results.rounds(STEPS, QUICK_STEPS), memory=f"{_measure_memory(results):.1f}",
+                count=results.rounds(STEPS, QUICK_STEPS), memory=_measure_memory(results),
                 places=f"{PLACES:,}", color_error=f"{_measure_color(results):.2f}", **_measure_lakes(results))

@@ -23,19 +23,29 @@ from vtkwater.solutions import Solution
 SIZE = (800, 600)
 PLAIN, COLOURED, CLEAR = "plain", "coloured", "clear"
 KINDS = (PLAIN, COLOURED, CLEAR)
+POLYGONS, CELLS, ROWS = "vtkPolyData", "vtkUnstructuredGrid", "vtkStructuredGrid"
 
 
-def mesh_of(tide, heights):
+def mesh_of(tide, heights, data=POLYGONS):
+    places = tide.points(heights)
+    if data == ROWS:
+        mesh = pv.StructuredGrid()
+        mesh.points = places
+        mesh.dimensions = tide.side, tide.side, 1
+        return mesh
     quads = tide.quads()
-    return pv.PolyData(tide.points(heights), np.column_stack([np.full(len(quads), 4), quads]).ravel())
+    cells = np.column_stack([np.full(len(quads), 4), quads]).ravel()
+    if data == CELLS:
+        return pv.UnstructuredGrid(cells, np.full(len(quads), pv.CellType.QUAD, dtype=np.uint8), places)
+    return pv.PolyData(places, cells)
 
 
 class View:
     """A window with the bed and the surface of one kind."""
 
-    def __init__(self, kind, tide, mesh=None, size=SIZE):
+    def __init__(self, kind, tide, mesh=None, size=SIZE, data=POLYGONS):
         self.kind, self.tide = kind, tide
-        self.mesh = mesh_of(tide, tide.bed) if mesh is None else mesh
+        self.mesh = mesh_of(tide, tide.bed, data) if mesh is None else mesh
         self.plotter = pv.Plotter(off_screen=True, window_size=size)
         if mesh is None:
             self.mesh["zb"] = tide.bed

@@ -8,6 +8,16 @@
 
 static const double far_off = 1.0; // depth, of any sign, where nothing else is known
 
+static inline bool is_beyond(double height)
+{
+  return fabs(height) > water_shore_highest; // not of NaN
+}
+
+double water_shore_known(double height)
+{
+  return is_beyond(height) ? (double)NAN : height;
+}
+
 static inline water_column column_of(double level, double bed, double depth, double dry_depth)
 {
   const bool has_depth = !isnan(depth);
@@ -26,7 +36,8 @@ static inline water_column column_of(double level, double bed, double depth, dou
   {
     column.depth = column.level - bed;
   }
-  column.is_wet = isfinite(column.level) && column.depth > dry_depth;
+  column.is_wet = fabs(column.level) <= water_shore_highest && column.depth > dry_depth &&
+    !(has_depth && is_beyond(depth)) && !(has_bed && is_beyond(bed));
   return column;
 }
 
@@ -38,7 +49,7 @@ water_column water_shore_column(double level, double bed, double depth, double d
 static inline double depth_of(bool is_wet, double level, double bed)
 {
   const double depth = level - bed;
-  if (isnan(depth) || isinf(depth))
+  if (isnan(depth) || is_beyond(depth))
   {
     return is_wet ? far_off : -far_off;
   }
@@ -52,7 +63,7 @@ double water_shore_depth(bool is_wet, double level, double bed)
 
 double water_shore_level(double level, double bed)
 {
-  return isfinite(level) ? level : (isfinite(bed) ? bed : 0.0);
+  return isfinite(level) ? level : (fabs(bed) <= water_shore_highest ? bed : 0.0);
 }
 
 WATER_WIDE static bool find_columns(const water_shore_rows* rows, size_t count, double dry_depth)

@@ -24,13 +24,20 @@ typedef struct water_column
   bool is_wet;
 } water_column;
 
+// Heights and depths farther than that from 0 are fill values of files, in any unit of length.
+#define water_shore_highest 1e9
+
+// A height or depth as it is given; NaN if it is such a fill value.
+double water_shore_known(double height);
+
 // Completes the heights that a solver gives for a place; pass NaN for those that it does not give.
 // With all three, the depth determines whether the place is wet. With the level alone, or with
 // level and depth but no bed, it is wet.
 //
 // dry_depth  a place with no more water than that is dry, >= 0
 //
-// A place with a value that is not finite, or with a depth below 0, is dry.
+// A place with a value that is not finite, that lies beyond water_shore_highest, or with a depth
+// below 0, is dry.
 water_column water_shore_column(double level, double bed, double depth, double dry_depth);
 
 // Depth of the water, negative where the bed is above it. The shore is where this depth is 0 on the

@@ -49,6 +49,7 @@ struct vtkWaterLakes::Internals
   }
 
   vtkSmartPointer<vtkMapper> Mapper;
+  const void* Input = nullptr; // of the mapper, in the last update; compared only
   vtkNew<vtkWaterPlanesFilter> Filter;
   vtkNew<vtkPolyData> Nothing; // that the first one shows when there is no water
   std::vector<vtkSmartPointer<vtkWaterActor>> Waters;
