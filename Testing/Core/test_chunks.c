@@ -286,5 +286,30 @@ TEST(chunks_list_their_points)
   assert_true(found[0] > 100 && found[1] > 100 && found[2] > 100);
 }
 
-TESTS(chunks_join_what_their_cells_join, chunks_know_what_is_beside_them,
-  chunks_are_connected_rows_of_cells, chunks_list_their_points)
+// A point at the water's level, with a depth of 0, is not under it.
+TEST(a_point_at_the_level_is_dry)
+{
+  const double depths[3] = { 0.0, 0.5, 0.0 };
+  const int32_t points[2][2] = { { 0, 2 }, { 1, 2 } };
+  assert_int_equal(water_chunks_water(depths, points[0], 2), 0);
+  assert_int_equal(water_chunks_water(depths, points[1], 2), -1);
+  assert_int_equal(water_chunks_water(depths, points[1], 1), 1);
+}
+
+// Only the links that are given count, not what lies before and behind them in memory.
+TEST(links_end_where_they_end)
+{
+  const int64_t begins[5] = { 0, 1, 2, 3, 4 };
+  const char cells[4] = { 1, 0, 1, 1 };
+  const water_chunk_link links[3] = { { { 0, 1 } }, { { 2, 3 } }, { { 0, 1 } } };
+  unsigned char kinds[4];
+  water_chunks_judge(begins, 4, links + 1, 1, cells, kinds);
+  const unsigned char expected[4] = { WATER_CHUNK_INSIDE, WATER_CHUNK_LAND, WATER_CHUNK_INSIDE,
+    WATER_CHUNK_INSIDE };
+  assert_memory_equal(kinds, expected, sizeof kinds);
+  water_chunks_judge(begins, 4, links, 1, cells, kinds);
+  assert_int_equal(kinds[0], WATER_CHUNK_RIM);
+}
+
+TESTS(a_point_at_the_level_is_dry, links_end_where_they_end, chunks_join_what_their_cells_join,
+  chunks_know_what_is_beside_them, chunks_are_connected_rows_of_cells, chunks_list_their_points)
