@@ -205,6 +205,24 @@ TEST(a_prop_is_small_if_it_is_so_both_ways)
   }
 }
 
+// A prop of exactly the smallest size is drawn: half a unit, 8 under the eye, is 3.125 of 100
+// pixels.
+TEST(a_prop_of_the_smallest_size_is_drawn)
+{
+  const water_scene scene = pool(5.0);
+  const water_prop prop = { { -0.25, 0.25, -0.25, 0.25, 2.0, 2.0 }, visible, 1.0f };
+  for (int i = 0; i < 2; ++i)
+  {
+    const water_selection selection = { .box = { -0.5, -0.5, 0.5, 0.5 },
+      .prop_px_min = i ? nextafter(3.125, 4.0) : 3.125,
+      .texture_px = { 100, 100 } };
+    water_cull_reason reason;
+    assert_int_equal(
+      water_select_props(&scene.eye, &scene.plane, &selection, &prop, 1, &reason), 1);
+    assert_int_equal(reason, i ? WATER_CULL_TOO_SMALL : WATER_CULL_NONE);
+  }
+}
+
 // Only a part of the picture counts, such as that of a reflection's reflection: none, if it has no
 // width or height.
 TEST(nothing_counts_in_a_rectangle_without_an_area)
@@ -325,9 +343,10 @@ TEST(near_plane_stays_without_a_far_plane)
   }
 }
 
-TESTS(a_wide_point_reaches_half_its_width_and_a_pixel, a_prop_is_small_if_it_is_so_both_ways,
-  clip_is_under_the_troughs, heights_at_the_end_of_their_range, tops_are_over_the_troughs,
-  one_dome_of_many_props, a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
+TESTS(a_prop_of_the_smallest_size_is_drawn, a_wide_point_reaches_half_its_width_and_a_pixel,
+  a_prop_is_small_if_it_is_so_both_ways, clip_is_under_the_troughs,
+  heights_at_the_end_of_their_range, tops_are_over_the_troughs, one_dome_of_many_props,
+  a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
   nothing_counts_in_a_rectangle_without_an_area, unseen_endless_water_may_be_drawn,
   light_rolls_off_where_nothing_maps_it, depths_with_both_planes_moved,
   near_plane_stays_at_the_edges_of_props, near_plane_stays_without_a_far_plane)
