@@ -5,6 +5,7 @@
 
 #include "water_mirror.h"
 #include "water_plan.h"
+#include "water_plan_draw.h"
 #include "water_select.h"
 
 static const uint32_t visible = WATER_PROP_VISIBLE;
