@@ -311,5 +311,26 @@ TEST(links_end_where_they_end)
   assert_int_equal(kinds[0], WATER_CHUNK_RIM);
 }
 
-TESTS(a_point_at_the_level_is_dry, links_end_where_they_end, chunks_join_what_their_cells_join,
-  chunks_know_what_is_beside_them, chunks_are_connected_rows_of_cells, chunks_list_their_points)
+// Of three cells in a row the first two chunks alone: neither the points nor the links of the
+// third.
+TEST(chunks_end_where_they_end)
+{
+  const int64_t starts[4] = { 0, 3, 6, 9 };
+  const int64_t corners[9] = { 0, 1, 2, 2, 3, 4, 4, 5, 6 };
+  int64_t begins[4];
+  int32_t last[7];
+  int32_t seen[3] = { 9, 9, 9 };
+  int32_t ends[4] = { 9, 9, 9, 9 };
+  int32_t listed[9];
+  water_chunk_link links[2];
+  assert_int_equal(water_chunks_split(starts, corners, 3, 1, begins), 3);
+  assert_int_equal(water_chunks_link(starts, corners, begins, 2, last, 7, seen, links), 1);
+  assert_int_equal(seen[2], 9);
+  assert_int_equal(water_chunks_list(starts, corners, begins, 2, last, 7, ends, listed), 6);
+  assert_int_equal(ends[2], 6);
+  assert_int_equal(ends[3], 9);
+}
+
+TESTS(chunks_end_where_they_end, a_point_at_the_level_is_dry, links_end_where_they_end,
+  chunks_join_what_their_cells_join, chunks_know_what_is_beside_them,
+  chunks_are_connected_rows_of_cells, chunks_list_their_points)

@@ -206,6 +206,23 @@ TEST(a_prop_is_small_if_it_is_so_both_ways)
   }
 }
 
+// Water that reflects nothing needs no mirrored view. Of the views for other ends it says nothing.
+TEST(only_the_mirrored_view_asks_what_is_reflected)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    water_scene scene = lake();
+    water_plan plan;
+    scene.look.constant_reflectance = true;
+    scene.look.reflectance = 0.0;
+    scene.is_beyond = i == 1;
+    scene.is_from_sun = i == 2;
+    scene.is_of_sky = i == 3;
+    (void)water_plan_make(&scene, &plan, NULL);
+    assert_int_equal(plan.decision == WATER_NO_REFLECT_NO_REFLECTANCE, i == 0);
+  }
+}
+
 // A prop of exactly the smallest size is drawn: half a unit, 8 under the eye, is 3.125 of 100
 // pixels.
 TEST(a_prop_of_the_smallest_size_is_drawn)
@@ -344,10 +361,10 @@ TEST(near_plane_stays_without_a_far_plane)
   }
 }
 
-TESTS(a_prop_of_the_smallest_size_is_drawn, a_wide_point_reaches_half_its_width_and_a_pixel,
-  a_prop_is_small_if_it_is_so_both_ways, clip_is_under_the_troughs,
-  heights_at_the_end_of_their_range, tops_are_over_the_troughs, one_dome_of_many_props,
-  a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
+TESTS(only_the_mirrored_view_asks_what_is_reflected, a_prop_of_the_smallest_size_is_drawn,
+  a_wide_point_reaches_half_its_width_and_a_pixel, a_prop_is_small_if_it_is_so_both_ways,
+  clip_is_under_the_troughs, heights_at_the_end_of_their_range, tops_are_over_the_troughs,
+  one_dome_of_many_props, a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
   nothing_counts_in_a_rectangle_without_an_area, unseen_endless_water_may_be_drawn,
   light_rolls_off_where_nothing_maps_it, depths_with_both_planes_moved,
   near_plane_stays_at_the_edges_of_props, near_plane_stays_without_a_far_plane)
