@@ -110,7 +110,7 @@ static void polygon_cut(polygon* shape, const double line[3])
 // Half of the side of the square around the point under the eye that represents an endless sheet.
 static double endless_side(const water_grid_view* view, double height, double reach)
 {
-  double wide = fmax(view->eye_height, height);
+  double wide = view->eye_height;
   if (isinf(view->eye_height))
   {
     // to the middle of its picture, and from there to a corner at most; w is the same everywhere
@@ -118,7 +118,7 @@ static double endless_side(const water_grid_view* view, double height, double re
     const double across = hypot(place[0], place[3]) + hypot(place[1], place[4]);
     wide = (hypot(place[2], place[5]) + across) / fabs(place[8]);
   }
-  return endless_reach * (wide + height + reach);
+  return endless_reach * fmax(fmax(wide, height), reach);
 }
 
 static polygon part_in_view(
