@@ -206,6 +206,39 @@ TEST(as_many_quads_are_taken_as_there_are_rows)
   }
 }
 
+// Of a part of a list only its own polygons are added, not those before it.
+TEST(a_part_of_a_list_is_its_own)
+{
+  static list made;
+  dice from = dice_seeded(96);
+  while (made.count < MOST)
+  {
+    add(&made, &from, 4);
+  }
+  water_fit part;
+  water_fit alone;
+  water_fit_begin(upright[2], &part);
+  water_fit_begin(upright[2], &alone);
+  assert_int_equal(
+    water_fit_add_polygons(made.points[0], made.starts + 16, made.corners, MOST - 16, &part),
+    MOST - 16);
+  for (size_t i = 16; i < MOST; ++i)
+  {
+    double corners[4][3];
+    for (int k = 0; k < 4; ++k)
+    {
+      memcpy(corners[k], made.points[made.corners[made.starts[i] + k]], sizeof corners[k]);
+    }
+    assert_true(water_fit_add_polygon(corners[0], 4, &alone));
+  }
+  ASSERT_CLOSE(part.area, alone.area, 1e-12 * alone.area);
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(part.first[i], alone.first[i], 1e-10);
+  }
+  assert_memory_equal(part.bounds, alone.bounds, sizeof part.bounds);
+}
+
 // Of another up direction heights are along that: here along y.
 TEST(rows_may_have_any_up)
 {
@@ -229,6 +262,6 @@ TEST(rows_may_have_any_up)
   ASSERT_CLOSE(fit.second[5], expected[9], 1e-9);
 }
 
-TESTS(as_many_quads_are_taken_as_there_are_rows,
+TESTS(a_part_of_a_list_is_its_own, as_many_quads_are_taken_as_there_are_rows,
   rows_of_quads_have_the_integrals_of_their_triangles, rows_end_before_a_quad_that_is_not_usable,
   largest_coordinate_is_usable_in_a_row, rows_may_have_any_up)

@@ -217,17 +217,25 @@ TEST(grid_reaches_to_the_horizon)
 {
   static double points[(GRID + 1) * (GRID + 1)][3];
   static float cells[(GRID + 1) * (GRID + 1)][2];
-  const double heights[4] = { 1e-3, 2.0, 300.0, 1e6 };
-  for (int i = 0; i < 4; ++i)
+  const double all_heights[4] = { 1e-3, 2.0, 300.0, 1e6 };
+  for (int i = 0; i < 8; ++i) // along an axis of the plane, and between both
   {
-    water_scene scene = shore(heights[i], -0.2);
-    set_depths(&scene, 5.0 * heights[i], 400.0 * heights[i]);
+    const double height = all_heights[i % 4];
+    water_scene scene = shore(height, -0.2);
+    set_depths(&scene, 5.0 * height, 400.0 * height);
+    if (i >= 4)
+    {
+      const double eye[3] = { 0.0, 0.0, height };
+      const double target[3] = { 0.6 * height, 0.8 * height, 0.8 * height };
+      const double up[3] = { 0.0, 0.0, 1.0 };
+      look_at(eye, target, up, scene.eye.world_to_view);
+    }
     water_grid_view view;
     const double origin[3] = { 0.0, 0.0, 0.0 };
     assert_int_equal(water_grid_view_make(&scene.eye, &scene.plane, origin, &view), WATER_OK);
     double row_dir[2];
     assert_true(
-      water_grid_lay(&view, NULL, 0.05 * heights[i], 0.0, GRID, points[0], cells[0], row_dir));
+      water_grid_lay(&view, NULL, 0.05 * height, 0.0, GRID, points[0], cells[0], row_dir));
     int at_near = 0;
     int at_far = 0;
     int near_rows = 0;
@@ -237,7 +245,7 @@ TEST(grid_reaches_to_the_horizon)
       row_clip(&scene, points, row, clip);
       at_near += fabs(clip[2] / clip[3] + 1.0) < 1e-9;
       at_far += fabs(clip[2] / clip[3] - view.far_depth) < 1e-9;
-      near_rows += clip[3] < 100.0 * heights[i];
+      near_rows += clip[3] < 100.0 * height;
     }
     assert_int_equal(at_near, 1);
     assert_int_equal(at_far, 1);
