@@ -223,6 +223,21 @@ TEST(only_the_mirrored_view_asks_what_is_reflected)
   }
 }
 
+// The clip at the water cuts what lies across it, or where nobody knows, and nothing over it.
+TEST(the_clip_cuts_what_is_across_the_water)
+{
+  const double huge = (double)INFINITY;
+  const double boxes[5][6] = { { -1.0, 1.0, -1.0, 1.0, 0.1, 2.0 },
+    { -1.0, 1.0, -1.0, 1.0, -0.1, 2.0 }, { -1.0, 1.0, -1.0, 1.0, 0.1, huge },
+    { huge, -huge, huge, -huge, huge, -huge }, { -1.0, 1.0, -1.0, 1.0, 0.1, (double)NAN } };
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  for (int i = 0; i < 5; ++i)
+  {
+    assert_int_equal(water_plan_cuts(&plan, boxes[i]), i > 0);
+  }
+}
+
 // A prop of exactly the smallest size is drawn: half a unit, 8 under the eye, is 3.125 of 100
 // pixels.
 TEST(a_prop_of_the_smallest_size_is_drawn)
@@ -361,10 +376,11 @@ TEST(near_plane_stays_without_a_far_plane)
   }
 }
 
-TESTS(only_the_mirrored_view_asks_what_is_reflected, a_prop_of_the_smallest_size_is_drawn,
-  a_wide_point_reaches_half_its_width_and_a_pixel, a_prop_is_small_if_it_is_so_both_ways,
-  clip_is_under_the_troughs, heights_at_the_end_of_their_range, tops_are_over_the_troughs,
-  one_dome_of_many_props, a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
+TESTS(the_clip_cuts_what_is_across_the_water, only_the_mirrored_view_asks_what_is_reflected,
+  a_prop_of_the_smallest_size_is_drawn, a_wide_point_reaches_half_its_width_and_a_pixel,
+  a_prop_is_small_if_it_is_so_both_ways, clip_is_under_the_troughs,
+  heights_at_the_end_of_their_range, tops_are_over_the_troughs, one_dome_of_many_props,
+  a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
   nothing_counts_in_a_rectangle_without_an_area, unseen_endless_water_may_be_drawn,
   light_rolls_off_where_nothing_maps_it, depths_with_both_planes_moved,
   near_plane_stays_at_the_edges_of_props, near_plane_stays_without_a_far_plane)
