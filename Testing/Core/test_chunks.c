@@ -286,5 +286,51 @@ TEST(chunks_list_their_points)
   assert_true(found[0] > 100 && found[1] > 100 && found[2] > 100);
 }
 
-TESTS(chunks_join_what_their_cells_join, chunks_know_what_is_beside_them,
+// A point at the water's level, with a depth of 0, is not under it.
+TEST(a_point_at_the_level_is_dry)
+{
+  const double depths[3] = { 0.0, 0.5, 0.0 };
+  const int32_t points[2][2] = { { 0, 2 }, { 1, 2 } };
+  assert_int_equal(water_chunks_water(depths, points[0], 2), 0);
+  assert_int_equal(water_chunks_water(depths, points[1], 2), -1);
+  assert_int_equal(water_chunks_water(depths, points[1], 1), 1);
+}
+
+// Only the links that are given count, not what lies before and behind them in memory.
+TEST(links_end_where_they_end)
+{
+  const int64_t begins[5] = { 0, 1, 2, 3, 4 };
+  const char cells[4] = { 1, 0, 1, 1 };
+  const water_chunk_link links[3] = { { { 0, 1 } }, { { 2, 3 } }, { { 0, 1 } } };
+  unsigned char kinds[4];
+  water_chunks_judge(begins, 4, links + 1, 1, cells, kinds);
+  const unsigned char expected[4] = { WATER_CHUNK_INSIDE, WATER_CHUNK_LAND, WATER_CHUNK_INSIDE,
+    WATER_CHUNK_INSIDE };
+  assert_memory_equal(kinds, expected, sizeof kinds);
+  water_chunks_judge(begins, 4, links, 1, cells, kinds);
+  assert_int_equal(kinds[0], WATER_CHUNK_RIM);
+}
+
+// Of three cells in a row the first two chunks alone: neither the points nor the links of the
+// third.
+TEST(chunks_end_where_they_end)
+{
+  const int64_t starts[4] = { 0, 3, 6, 9 };
+  const int64_t corners[9] = { 0, 1, 2, 2, 3, 4, 4, 5, 6 };
+  int64_t begins[4];
+  int32_t last[7];
+  int32_t seen[3] = { 9, 9, 9 };
+  int32_t ends[4] = { 9, 9, 9, 9 };
+  int32_t listed[9];
+  water_chunk_link links[2];
+  assert_int_equal(water_chunks_split(starts, corners, 3, 1, begins), 3);
+  assert_int_equal(water_chunks_link(starts, corners, begins, 2, last, 7, seen, links), 1);
+  assert_int_equal(seen[2], 9);
+  assert_int_equal(water_chunks_list(starts, corners, begins, 2, last, 7, ends, listed), 6);
+  assert_int_equal(ends[2], 6);
+  assert_int_equal(ends[3], 9);
+}
+
+TESTS(chunks_end_where_they_end, a_point_at_the_level_is_dry, links_end_where_they_end,
+  chunks_join_what_their_cells_join, chunks_know_what_is_beside_them,
   chunks_are_connected_rows_of_cells, chunks_list_their_points)

@@ -46,6 +46,75 @@ TEST(rounding_knows_how_far_the_origin_is)
   }
 }
 
+// Far from the origins of the world and of the mesh the numbers that cancel in double precision
+// count as well, 2^29 times less: the lengths of the view's offset, of the place in the world, and
+// of the mesh's own offset, each of another size here.
+TEST(rounding_knows_how_far_the_world_is)
+{
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    const double view = i == 0 ? 4e9 : 0.0; // along x
+    const double model = i == 1 ? 4e9 : 0.0;
+    const double model_to_world[16] = { 1, 0, 0, model, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    const double origin[3] = { i == 2 ? 4e9 : view - model, 0.0, 0.0 };
+    const double target[3] = { view, 0.0, 0.0 };
+    const double eye[3] = { view, -10.0, 5.0 };
+    water_scene scene = lake();
+    look_at(eye, target, up, scene.eye.world_to_view);
+    scene.surface_bounds[0] += view;
+    scene.surface_bounds[1] += view;
+    const water_plan plan = plan_of(&scene, NULL);
+    water_clusters_view made;
+    water_clusters_view_make(&plan, &plain_map, 0, 1, false, model_to_world, origin, &made);
+    const double place = model + origin[0];
+    const double near = hypot(hypot(place - view, 10.0), 5.0);
+    const double lengths = hypot(hypot(view, 10.0), 5.0) + fabs(place) + fabs(model);
+    const double expected = near + ldexp(lengths, -29);
+    ASSERT_CLOSE(made.frustum.reach, expected, 1e-5);
+  }
+}
+
+// A box of the mesh is inside the view if all of it is, outside if none is; what hides in what is
+// looked up keeps boxes in it from being known.
+TEST(boxes_have_their_places_in_a_view)
+{
+  const double huge = (double)INFINITY;
+  const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  const double boxes[6][6] = { { -0.1, 0.1, -0.1, 0.1, 0.5, 0.7 }, // over the middle of the lake
+    { -0.1, 0.1, -0.1, 0.1, -0.5, 0.5 },                           // across the water
+    { -0.1, 0.1, -30.0, -20.0, 0.5, 0.7 },                         // behind the eye
+    { -0.1, 0.1, -0.1, 0.1, 0.5, huge }, { huge, -huge, huge, -huge, huge, -huge },
+    { -0.1, 0.1, -0.1, 0.1, -0.7, -0.5 } }; // under the water
+  const water_box_place expected[6] = { WATER_BOX_INSIDE, WATER_BOX_ACROSS, WATER_BOX_OUTSIDE,
+    WATER_BOX_ACROSS, WATER_BOX_OUTSIDE, WATER_BOX_OUTSIDE };
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  water_visibility seen;
+  water_visibility_begin(plan.texture_px, plan.texture_rect_px, &seen);
+  const size_t cells = (size_t)seen.size[0] * (size_t)seen.size[1];
+  uint8_t* const open = malloc(cells);
+  seen.counts =
+    malloc((cells + (size_t)seen.size[0] + (size_t)seen.size[1] + 1) * sizeof(uint32_t));
+  assert_non_null(open);
+  assert_non_null(seen.counts);
+  memset(open, 1, cells);
+  water_visibility_sum(&seen, open);
+  const water_clusters_target target = { &seen, NULL, 0, 8 };
+  water_clusters_view whole;
+  water_clusters_view part;
+  water_clusters_view_make(&plan, &plain_map, 0, 1, false, model_to_world, at_zero, &whole);
+  water_clusters_view_make(&plan, &target, 0, 1, false, model_to_world, at_zero, &part);
+  for (int i = 0; i < 6; ++i)
+  {
+    assert_int_equal(water_clusters_place(&whole, boxes[i]), expected[i]);
+    assert_int_equal(water_clusters_place(&part, boxes[i]),
+      expected[i] == WATER_BOX_OUTSIDE ? WATER_BOX_OUTSIDE : WATER_BOX_ACROSS);
+  }
+  free(seen.counts);
+  free(open);
+}
+
 // As much of a mesh is left out far from the world's origin as at it.
 TEST(far_meshes_are_cut_as_near_ones)
 {
@@ -203,5 +272,6 @@ TEST(lowest_corner_decides_what_is_kept)
   assert_false(water_clusters_is_kept(&view, box));
 }
 
-TESTS(lowest_corner_decides_what_is_kept, rounding_knows_how_far_the_origin_is,
+TESTS(lowest_corner_decides_what_is_kept, rounding_knows_how_far_the_world_is,
+  boxes_have_their_places_in_a_view, rounding_knows_how_far_the_origin_is,
   far_meshes_are_cut_as_near_ones, bands_are_for_cores_and_large_meshes, bands_mark_what_is_in_them)

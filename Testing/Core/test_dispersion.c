@@ -107,6 +107,25 @@ TEST(turns_are_exact_for_any_number_of_them)
   ASSERT_CLOSE(water_turns(1.0 / 3.0, 3e200), 0.0, 0.5); // stays in range
 }
 
+// What a product loses by rounding, by halves of its factors, is what fma says, bit by bit. Where
+// fma rounds twice it has no say.
+TEST(products_lose_the_same_by_halves)
+{
+#ifndef __MINGW32__
+  dice from = dice_seeded(3);
+  for (int round = 0; round < 20000; ++round)
+  {
+    const double scale = round % 2 ? 1e120 : 1.0;
+    const double a = scale * dice_roll(&from, -1.0, 1.0);
+    const double b = dice_roll(&from, -1.0, 1.0) / (round % 3 ? 1.0 : scale);
+    ASSERT_CLOSE(water_product_loss_by_halves(a, b), fma(a, b, -(a * b)), 0.0);
+  }
+#endif
+  // (1 + 2^-30)(1 - 2^-30) is 1 - 2^-60, which rounds to 1
+  const double small = ldexp(1.0, -30);
+  ASSERT_CLOSE(water_product_loss_by_halves(1.0 + small, 1.0 - small), -ldexp(1.0, -60), 0.0);
+}
+
 // At 1e7 s a wave is where long arithmetic puts it, as near as the time itself can be told: three
 // steps between doubles there. Time 0, the phase as given.
 TEST(phase_after_a_third_of_a_year_is_as_exact_as_time)
@@ -146,4 +165,5 @@ TEST(bad_numbers_are_refused)
 
 TESTS(dispersion_has_the_known_values, wavenumber_is_the_one_bisection_finds,
   group_velocity_is_the_slope_of_dispersion, turns_are_exact_for_any_number_of_them,
-  phase_after_a_third_of_a_year_is_as_exact_as_time, bad_numbers_are_refused)
+  products_lose_the_same_by_halves, phase_after_a_third_of_a_year_is_as_exact_as_time,
+  bad_numbers_are_refused)

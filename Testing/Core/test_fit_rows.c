@@ -4,6 +4,7 @@
 #include "test_scene.h"
 
 #include "water_fit.h"
+#include "water_fit_rows.h"
 
 enum
 {
@@ -178,6 +179,66 @@ TEST(largest_coordinate_is_usable_in_a_row)
   ASSERT_CLOSE(fit.bounds[4], -1e100, 0.0);
 }
 
+// Of 40 quads there are two rows of 16, with 1e100 as a coordinate, too; of a list with a pentagon
+// in its second row there is one, and none if a number in the first is not usable.
+TEST(as_many_quads_are_taken_as_there_are_rows)
+{
+  static list made;
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  const size_t expected[4] = { 32, 32, 16, 0 };
+  for (int i = 0; i < 4; ++i)
+  {
+    dice from = dice_seeded(95);
+    memset(&made, 0, sizeof made);
+    while (made.count < 40)
+    {
+      add(&made, &from, i == 2 && made.count == 20 ? 5 : 4);
+    }
+    double* point = made.points[made.corners[50]];
+    point[2] = i == 1 ? 1e100 : i == 3 ? (double)NAN : point[2];
+    double bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+    water_fit_integrals sum = { 0.0, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
+    assert_int_equal(
+      water_fit_rows_add(made.points[0], made.starts, made.corners, 40, origin, bounds, &sum),
+      expected[i]);
+    assert_true((sum.area > 0.0) == (i < 3));
+    assert_true((bounds[5] == 1e100) == (i == 1));
+  }
+}
+
+// Of a part of a list only its own polygons are added, not those before it.
+TEST(a_part_of_a_list_is_its_own)
+{
+  static list made;
+  dice from = dice_seeded(96);
+  while (made.count < MOST)
+  {
+    add(&made, &from, 4);
+  }
+  water_fit part;
+  water_fit alone;
+  water_fit_begin(upright[2], &part);
+  water_fit_begin(upright[2], &alone);
+  assert_int_equal(
+    water_fit_add_polygons(made.points[0], made.starts + 16, made.corners, MOST - 16, &part),
+    MOST - 16);
+  for (size_t i = 16; i < MOST; ++i)
+  {
+    double corners[4][3];
+    for (int k = 0; k < 4; ++k)
+    {
+      memcpy(corners[k], made.points[made.corners[made.starts[i] + k]], sizeof corners[k]);
+    }
+    assert_true(water_fit_add_polygon(corners[0], 4, &alone));
+  }
+  ASSERT_CLOSE(part.area, alone.area, 1e-12 * alone.area);
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(part.first[i], alone.first[i], 1e-10);
+  }
+  assert_memory_equal(part.bounds, alone.bounds, sizeof part.bounds);
+}
+
 // Of another up direction heights are along that: here along y.
 TEST(rows_may_have_any_up)
 {
@@ -201,6 +262,6 @@ TEST(rows_may_have_any_up)
   ASSERT_CLOSE(fit.second[5], expected[9], 1e-9);
 }
 
-TESTS(rows_of_quads_have_the_integrals_of_their_triangles,
-  rows_end_before_a_quad_that_is_not_usable, largest_coordinate_is_usable_in_a_row,
-  rows_may_have_any_up)
+TESTS(a_part_of_a_list_is_its_own, as_many_quads_are_taken_as_there_are_rows,
+  rows_of_quads_have_the_integrals_of_their_triangles, rows_end_before_a_quad_that_is_not_usable,
+  largest_coordinate_is_usable_in_a_row, rows_may_have_any_up)

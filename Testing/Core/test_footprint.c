@@ -75,6 +75,19 @@ TEST(a_fiftieth_of_the_top_is_under_the_water)
   ASSERT_CLOSE(water_footprint_wet_from(&footprint), 13.0, 1e-4);
 }
 
+// Of 100 tops the second lowest is a fiftieth: a top at the level counts as under it, and one half
+// way between the lowest and the highest is found without a rounding.
+TEST(a_top_at_the_level_is_under_the_water)
+{
+  water_footprint footprint;
+  water_footprint_begin(&footprint);
+  for (int i = 0; i < 100; ++i)
+  {
+    water_footprint_add(i % 10, i / 10, i == 7 ? 0.0 : (i == 38 ? 0.5 : 1.0), &footprint);
+  }
+  ASSERT_CLOSE(water_footprint_wet_from(&footprint), 0.5, 0.0);
+}
+
 typedef double (*top)(double along, double across); // in [0, 1]; 0: it meets the base
 
 static double tent(double along, double across)
@@ -136,5 +149,64 @@ TEST(walls_make_a_block)
   }
 }
 
-TESTS(half_of_the_cells_with_a_gap_make_a_solid, fifteen_cells_are_a_surface,
-  cells_in_use_are_known, a_fiftieth_of_the_top_is_under_the_water, walls_make_a_block)
+// A tent over 22 columns, whose first and last meet the base: the other columns have a wall at both
+// ends. Of the 60 ends with 8 rows 40 have a wall, two thirds; with 9 rows it is less.
+TEST(walls_along_two_thirds_of_the_rim_are_enough)
+{
+  for (int rows = 8; rows <= 9; ++rows)
+  {
+    water_footprint footprint;
+    water_footprint_begin(&footprint);
+    for (int i = 0; i < 22 * rows; ++i)
+    {
+      const int column = i % 22;
+      water_footprint_add(column, i / 22, 0.0, &footprint);
+      water_footprint_add(column, i / 22, column < 11 ? column : 21 - column, &footprint);
+    }
+    assert_int_equal(water_footprint_shape_of(&footprint),
+      rows == 8 ? WATER_FOOTPRINT_BLOCK : WATER_FOOTPRINT_OBJECT);
+  }
+}
+
+// A wall is four fifths as thick as the solid one cell further in, and no less.
+TEST(a_wall_is_four_fifths_as_thick)
+{
+  const double walls[2] = { 0.8, 0.79 };
+  for (int i = 0; i < 2; ++i)
+  {
+    water_footprint footprint;
+    water_footprint_begin(&footprint);
+    for (int j = 0; j < 20 * 20; ++j)
+    {
+      const int x = j % 20;
+      const int y = j / 20;
+      const bool is_rim = x == 0 || y == 0 || x == 19 || y == 19;
+      water_footprint_add(x, y, 0.0, &footprint);
+      water_footprint_add(x, y, is_rim ? walls[i] : 1.0, &footprint);
+    }
+    assert_int_equal(water_footprint_shape_of(&footprint),
+      i == 0 ? WATER_FOOTPRINT_BLOCK : WATER_FOOTPRINT_OBJECT);
+  }
+}
+
+// A box with a brim two cells wide that has no thickness: top and base meet along its rim.
+TEST(a_flat_brim_is_no_wall)
+{
+  water_footprint footprint;
+  water_footprint_begin(&footprint);
+  for (int i = 0; i < 24 * 24; ++i)
+  {
+    const int x = i % 24;
+    const int y = i / 24;
+    const bool is_brim = x < 2 || y < 2 || x > 21 || y > 21;
+    water_footprint_add(x, y, 0.0, &footprint);
+    water_footprint_add(x, y, is_brim ? 0.0 : 1.0, &footprint);
+  }
+  // beside the brim a cell is no thicker than its step: the 18 x 18 others have a gap, over half
+  assert_int_equal(water_footprint_shape_of(&footprint), WATER_FOOTPRINT_OBJECT);
+}
+
+TESTS(walls_along_two_thirds_of_the_rim_are_enough, a_wall_is_four_fifths_as_thick,
+  a_flat_brim_is_no_wall, a_top_at_the_level_is_under_the_water,
+  half_of_the_cells_with_a_gap_make_a_solid, fifteen_cells_are_a_surface, cells_in_use_are_known,
+  a_fiftieth_of_the_top_is_under_the_water, walls_make_a_block)

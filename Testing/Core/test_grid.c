@@ -382,7 +382,50 @@ TEST(endless_grid_covers_parallel_views)
   assert_true(seen > 500);
 }
 
-TESTS(endless_grid_covers_parallel_views, grid_covers_what_can_come_into_view,
-  grid_is_ordered_and_on_the_sheet, cells_are_as_large_as_they_say, rows_lead_where_the_view_goes,
+// Also without waves, whose heights add to how far the sheet reaches: straight down and aslant,
+// about the point under the eye and far beside it, to each side.
+TEST(endless_grid_covers_calm_parallel_views)
+{
+  static laid grid;
+  for (int i = 0; i < 5 * 2; ++i)
+  {
+    const double far[5][2] = { { 0.0, 0.0 }, { 9e3, 0.0 }, { -9e3, 0.0 }, { 0.0, 9e3 },
+      { 0.0, -9e3 } };
+    const double* middle = far[i % 5];
+    const double box[4] = { middle[0] - 1.0, middle[0] + 1.0, middle[1] - 1.0, middle[1] + 1.0 };
+    const double eye[3] = { 0.0, 0.0, 2e4 };
+    const double target[3] = { i / 5 ? 7e3 : 0.0, 0.0, 0.0 };
+    const double up[3] = { 0.0, 1.0, 0.0 };
+    water_scene scene = lake();
+    look_at(eye, target, up, scene.eye.world_to_view);
+    ortho_matrix(box, 1.0, 1e5, scene.eye.view_to_clip);
+    scene.eye.parallel = true;
+    water_grid_view view;
+    assert_int_equal(water_grid_view_make(&scene.eye, &scene.plane, target, &view), WATER_OK);
+    assert_true(
+      water_grid_lay(&view, NULL, 0.0, 0.0, GRID, grid.points[0], grid.cells[0], grid.row_dir));
+    double low[2] = { DBL_MAX, DBL_MAX }; // of the grid's picture
+    double high[2] = { -DBL_MAX, -DBL_MAX };
+    for (int j = 0; j < SIDE * SIDE; ++j)
+    {
+      double clip[4];
+      project(&scene.eye, grid.points[j], 1.0, clip);
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        low[axis] = fmin(low[axis], clip[axis]);
+        high[axis] = fmax(high[axis], clip[axis]);
+      }
+    }
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      ASSERT_CLOSE(low[axis], -1.0, 1e-6);
+      ASSERT_CLOSE(high[axis], 1.0, 1e-6);
+    }
+  }
+}
+
+TESTS(endless_grid_covers_calm_parallel_views, endless_grid_covers_parallel_views,
+  grid_covers_what_can_come_into_view, grid_is_ordered_and_on_the_sheet,
+  cells_are_as_large_as_they_say, rows_lead_where_the_view_goes,
   view_leads_from_clip_to_places_and_back, grid_knows_the_height_of_a_moved_eye,
   rows_seen_straight_down_are_where_they_should_be, odd_views_are_safe)

@@ -53,6 +53,7 @@
 
 #include "water_math.h"
 
+#include "water_plan_draw.h"
 #include "water_plane.h"
 
 #include "water_plan.h"

@@ -259,6 +259,19 @@ TEST(flat_land_tells_nothing)
   }
 }
 
+// A flat tank with waves about its bed: a bed without relief is no measure of how far that is.
+TEST(a_flat_tank_has_no_wrong_unit)
+{
+  double level[40];
+  double bed[40];
+  for (int i = 0; i < 40; ++i)
+  {
+    bed[i] = 0.0;
+    level[i] = 0.1 * sin(0.5 * i);
+  }
+  assert_int_equal(water_heights_judge(level, NULL, bed, 40).wrong, WATER_HEIGHT_NONE);
+}
+
 // Depths next to none fit any unit, and neither hide nor make a mistake.
 TEST(films_of_water_are_no_evidence)
 {
@@ -320,6 +333,6 @@ TESTS(places_without_values_tell_nothing, nine_places_are_too_few, flat_land_tel
   films_of_water_are_no_evidence, dry_places_tell_the_unit_of_a_level_of_0,
   dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
   marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
-  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
-  a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
-  two_heights_are_needed)
+  a_flat_tank_has_no_wrong_unit, dry_land_tells_the_unit_of_the_level,
+  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found,
+  depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine, two_heights_are_needed)

@@ -80,6 +80,9 @@ TEST(without_area_nothing_is_wrong)
   water_placement_add(corners[0], corners[1], corners[3], &placement);
   const water_placement_verdict verdict = water_placement_judge(&placement);
   assert_false(verdict.is_off || verdict.is_upright);
+  ASSERT_CLOSE(verdict.height, 0.0, 0.0);
+  ASSERT_CLOSE(verdict.height_max, 0.0, 0.0);
+  ASSERT_CLOSE(verdict.angle_rad, 0.0, 0.0);
 }
 
 TESTS(a_surface_off_its_plane_is_known_by_its_mean_height, a_surface_is_upright_from_30_degrees_on,

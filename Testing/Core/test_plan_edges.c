@@ -5,6 +5,8 @@
 
 #include "water_mirror.h"
 #include "water_plan.h"
+#include "water_plan_draw.h"
+#include "water_select.h"
 
 static const uint32_t visible = WATER_PROP_VISIBLE;
 
@@ -149,6 +151,111 @@ TEST(wide_points_reach_in_from_all_sides)
   }
 }
 
+// An eye 10 over the middle of a pond, 90 degrees wide both ways, whose water looks up the middle
+// half of its picture of 100 x 100 pixels: what is beside that by x or y pixels, 1 high, and its
+// reason.
+static water_cull_reason reason_beside(
+  double x_px, double y_px, const double size_px[2], float width_px, double px_min)
+{
+  const water_scene scene = pool(5.0);
+  const water_selection selection = {
+    .box = { -0.5, -0.5, 0.5, 0.5 }, .prop_px_min = px_min, .texture_px = { 100, 100 }
+  };
+  const double pixel = 9.0 / 50.0; // at the height of 1
+  water_prop prop = { { 0.0, 0.0, 0.0, 0.0, 1.0, 1.0 }, visible, width_px };
+  for (int i = 0; i < 2; ++i)
+  {
+    const double place = pixel * (i ? y_px : x_px);
+    prop.bounds[2 * i] = place - 0.5 * pixel * size_px[i];
+    prop.bounds[2 * i + 1] = place + 0.5 * pixel * size_px[i];
+  }
+  water_cull_reason reason;
+  assert_int_equal(water_select_props(&scene.eye, &scene.plane, &selection, &prop, 1, &reason), 1);
+  return reason;
+}
+
+// A point 10 pixels wide reaches in from 5 pixels, and one more for antialiasing, on every side.
+TEST(a_wide_point_reaches_half_its_width_and_a_pixel)
+{
+  const double none[2] = { 0.0, 0.0 };
+  for (int side = 0; side < 4; ++side)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      const double away = (side & 1 ? -1.0 : 1.0) * (i ? 31.1 : 30.9); // 25 of them inside
+      const double x = side & 2 ? 0.0 : away;
+      const double y = side & 2 ? away : 0.0;
+      assert_int_equal(
+        reason_beside(x, y, none, 10.0f, 0.0), i ? WATER_CULL_OUT_OF_WATER : WATER_CULL_NONE);
+    }
+  }
+}
+
+// What is as large as the smallest prop in one direction is drawn, wherever it is.
+TEST(a_prop_is_small_if_it_is_so_both_ways)
+{
+  const double sizes[3][2] = { { 1.0, 5.1 }, { 5.1, 1.0 }, { 4.9, 4.9 } };
+  const double places[3] = { -20.0, 0.0, 20.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int place = 0; place < 9; ++place)
+    {
+      assert_int_equal(reason_beside(places[place % 3], places[place / 3], sizes[i], 1.0f, 5.0),
+        i == 2 ? WATER_CULL_TOO_SMALL : WATER_CULL_NONE);
+    }
+  }
+}
+
+// Water that reflects nothing needs no mirrored view. Of the views for other ends it says nothing.
+TEST(only_the_mirrored_view_asks_what_is_reflected)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    water_scene scene = lake();
+    water_plan plan;
+    scene.look.constant_reflectance = true;
+    scene.look.reflectance = 0.0;
+    scene.is_beyond = i == 1;
+    scene.is_from_sun = i == 2;
+    scene.is_of_sky = i == 3;
+    (void)water_plan_make(&scene, &plan, NULL);
+    assert_int_equal(plan.decision == WATER_NO_REFLECT_NO_REFLECTANCE, i == 0);
+  }
+}
+
+// The clip at the water cuts what lies across it, or where nobody knows, and nothing over it.
+TEST(the_clip_cuts_what_is_across_the_water)
+{
+  const double huge = (double)INFINITY;
+  const double boxes[5][6] = { { -1.0, 1.0, -1.0, 1.0, 0.1, 2.0 },
+    { -1.0, 1.0, -1.0, 1.0, -0.1, 2.0 }, { -1.0, 1.0, -1.0, 1.0, 0.1, huge },
+    { huge, -huge, huge, -huge, huge, -huge }, { -1.0, 1.0, -1.0, 1.0, 0.1, (double)NAN } };
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  for (int i = 0; i < 5; ++i)
+  {
+    assert_int_equal(water_plan_cuts(&plan, boxes[i]), i > 0);
+  }
+}
+
+// A prop of exactly the smallest size is drawn: half a unit, 8 under the eye, is 3.125 of 100
+// pixels.
+TEST(a_prop_of_the_smallest_size_is_drawn)
+{
+  const water_scene scene = pool(5.0);
+  const water_prop prop = { { -0.25, 0.25, -0.25, 0.25, 2.0, 2.0 }, visible, 1.0f };
+  for (int i = 0; i < 2; ++i)
+  {
+    const water_selection selection = { .box = { -0.5, -0.5, 0.5, 0.5 },
+      .prop_px_min = i ? nextafter(3.125, 4.0) : 3.125,
+      .texture_px = { 100, 100 } };
+    water_cull_reason reason;
+    assert_int_equal(
+      water_select_props(&scene.eye, &scene.plane, &selection, &prop, 1, &reason), 1);
+    assert_int_equal(reason, i ? WATER_CULL_TOO_SMALL : WATER_CULL_NONE);
+  }
+}
+
 // Only a part of the picture counts, such as that of a reflection's reflection: none, if it has no
 // width or height.
 TEST(nothing_counts_in_a_rectangle_without_an_area)
@@ -269,8 +376,11 @@ TEST(near_plane_stays_without_a_far_plane)
   }
 }
 
-TESTS(clip_is_under_the_troughs, heights_at_the_end_of_their_range, tops_are_over_the_troughs,
-  one_dome_of_many_props, a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
+TESTS(the_clip_cuts_what_is_across_the_water, only_the_mirrored_view_asks_what_is_reflected,
+  a_prop_of_the_smallest_size_is_drawn, a_wide_point_reaches_half_its_width_and_a_pixel,
+  a_prop_is_small_if_it_is_so_both_ways, clip_is_under_the_troughs,
+  heights_at_the_end_of_their_range, tops_are_over_the_troughs, one_dome_of_many_props,
+  a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
   nothing_counts_in_a_rectangle_without_an_area, unseen_endless_water_may_be_drawn,
   light_rolls_off_where_nothing_maps_it, depths_with_both_planes_moved,
   near_plane_stays_at_the_edges_of_props, near_plane_stays_without_a_far_plane)

@@ -110,6 +110,31 @@ TEST(nearest_pixel_wins)
   }
 }
 
+// Colours that differ in one of their words alone come back, and one colour takes few bytes, of any
+// number of words.
+TEST(each_word_of_a_color_counts)
+{
+  static part sent, got;
+  for (size_t words = 1; words <= WORDS; ++words)
+  {
+    for (size_t word = 0; word <= words; ++word) // at last all are the same
+    {
+      memset(&sent, 0, sizeof sent);
+      memset(&got, 0x5a, sizeof got);
+      for (size_t i = 0; word < words && i < PIXELS; ++i)
+      {
+        sent.colors[words * i + word] = (uint32_t)i + 1;
+      }
+      water_rank_picture from = picture_of(&sent, words, true);
+      water_rank_picture to = picture_of(&got, words, true);
+      const size_t size = water_rank_pixels_encode(&from, true, bytes);
+      assert_true(water_rank_pixels_merge(bytes, size, WATER_RANK_REPLACE, &to));
+      assert_memory_equal(got.colors, sent.colors, 4 * words * PIXELS);
+      assert_true((size < 2 * PIXELS) == (word == words));
+    }
+  }
+}
+
 // The samples of a pixel show one colour and lie on one facet, each at a place of its own in the
 // pixel: as many bytes as their depths, and no more for their colours than those of a pixel.
 TEST(samples_of_a_pixel_take_few_bytes)
@@ -321,7 +346,7 @@ TEST(any_word_of_a_layer_is_sent)
   assert_int_equal(water_rank_pixels_limit(&widest), sizeof bytes);
 }
 
-TESTS(any_word_of_a_layer_is_sent, pixels_come_back, nearest_pixel_wins,
-  samples_of_a_pixel_take_few_bytes, depths_come_back, layers_come_back, pixels_take_few_bytes,
-  wrong_bytes_are_refused, layers_are_blended, boxes_are_sorted,
+TESTS(each_word_of_a_color_counts, any_word_of_a_layer_is_sent, pixels_come_back,
+  nearest_pixel_wins, samples_of_a_pixel_take_few_bytes, depths_come_back, layers_come_back,
+  pixels_take_few_bytes, wrong_bytes_are_refused, layers_are_blended, boxes_are_sorted,
   boxes_that_overlap_are_sorted_by_their_centres)

@@ -462,9 +462,30 @@ TEST(bad_bands_are_refused)
   assert_true(numbers[0] == 7.0);
 }
 
-TESTS(bad_bands_are_refused, tiles_are_the_same_in_all_numbers, spectrum_is_hermitian,
-  tile_holds_the_variance_of_the_spectrum, variance_is_that_of_the_spectrum,
-  waves_travel_along_their_wave_vector, fields_follow_from_the_height, period_repeats_exactly,
-  seed_makes_the_sea, packed_pair_is_two_fields, samples_are_bilinear_and_repeat,
-  natural_length_is_ten_peak_waves, held_and_left_out_slopes_are_all,
-  texels_hold_slopes_and_squares, bad_tiles_are_refused, spectrum_turns_as_its_formula)
+// A band that goes on beyond the Nyquist wave number ends there: it is the whole tile's, to the
+// bit.
+TEST(a_band_ends_at_the_nyquist_wave_number)
+{
+  static double amplitudes[2][NUMBERS];
+  double held[2][2];
+  double left_out[2][2];
+  const double nyquist = pi * SIDE / tile.length;
+  for (int i = 0; i < 2; ++i)
+  {
+    water_tile own = tile;
+    own.k_high = i ? 1.3 * nyquist : 0.0; // the corners of the square reach up to 1.41
+    amplitudes_of(&own, amplitudes[i]);
+    water_tile_slopes(&own, &sea, held[i], left_out[i]);
+  }
+  assert_memory_equal(amplitudes[0], amplitudes[1], sizeof amplitudes[0]);
+  assert_memory_equal(held[0], held[1], sizeof held[0]);
+  assert_memory_equal(left_out[0], left_out[1], sizeof left_out[0]);
+}
+
+TESTS(bad_bands_are_refused, a_band_ends_at_the_nyquist_wave_number,
+  tiles_are_the_same_in_all_numbers, spectrum_is_hermitian, tile_holds_the_variance_of_the_spectrum,
+  variance_is_that_of_the_spectrum, waves_travel_along_their_wave_vector,
+  fields_follow_from_the_height, period_repeats_exactly, seed_makes_the_sea,
+  packed_pair_is_two_fields, samples_are_bilinear_and_repeat, natural_length_is_ten_peak_waves,
+  held_and_left_out_slopes_are_all, texels_hold_slopes_and_squares, bad_tiles_are_refused,
+  spectrum_turns_as_its_formula)

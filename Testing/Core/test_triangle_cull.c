@@ -120,8 +120,8 @@ static water_visibility stripes(const water_triangle_cull_view* view, uint32_t* 
 }
 
 // The picture with all triangles and that with those that are kept are the same where it is looked
-// up, wherever the corners are put; most of what cannot be seen is dropped. In a band of columns
-// only these count, and others are left alone.
+// up, wherever the corners are put, also within two pixels; most of what cannot be seen is dropped.
+// In a band of columns only these count, and others are left alone.
 TEST(what_is_dropped_changes_no_pixel)
 {
   dice from = dice_seeded(90);
@@ -138,6 +138,8 @@ TEST(what_is_dropped_changes_no_pixel)
     water_triangle_cull_view view = view_made(depths);
     water_visibility seen = stripes(&view, counts);
     view.seen = round % 2 ? &seen : NULL;
+    const bool is_coarse = round % 7 == 0;
+    view.grid_px = is_coarse ? 2.0 : view.grid_px;
     view.is_solid = round % 5 != 0;
     if (round % 3 == 2)
     {
@@ -163,7 +165,7 @@ TEST(what_is_dropped_changes_no_pixel)
       if (is_kept(&view, place))
       {
         draw(&drawn, i, kept, NULL);
-        kept_sum += view.is_solid;
+        kept_sum += view.is_solid && !is_coarse;
       }
     }
     for (int i = 0; i < PIXELS; ++i)
@@ -178,14 +180,13 @@ TEST(what_is_dropped_changes_no_pixel)
         assert_true(all[i] == kept[i]);
         if (owners[i] >= 0)
         {
-          seen_sum += view.is_solid && !is_owner[owners[i]];
+          seen_sum += view.is_solid && !is_coarse && !is_owner[owners[i]];
           is_owner[owners[i]] = true;
         }
       }
     }
   }
-  print_message(
-    "%d of %d triangles kept, %d seen\n", kept_sum, ROUNDS * 4 / 5 * TRIANGLES, seen_sum);
+  print_message("%d triangles kept, %d seen\n", kept_sum, seen_sum);
   assert_int_in_range(kept_sum, seen_sum, 2 * seen_sum);
 }
 

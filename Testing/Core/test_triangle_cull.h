@@ -56,4 +56,19 @@ static inline bool is_kept(const water_triangle_cull_view* view, float place[3][
   return water_triangle_cull_add(view, &slack, all);
 }
 
+// A triangle on the reflection texture, all of it at one depth and height and at w = 1.
+static inline bool is_kept_at(const water_triangle_cull_view* view,
+  const water_triangle_cull_slack* slack, const double px[3][2], double depth, double height)
+{
+  water_corner corners[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const water_corner made = { { 0.0, 0.0, depth, 1.0 }, 1.0, { px[i][0], px[i][1] }, depth,
+      height };
+    corners[i] = made;
+  }
+  const water_corner* const all[3] = { corners, corners + 1, corners + 2 };
+  return water_triangle_cull_add(view, slack, all);
+}
+
 #endif

@@ -122,50 +122,6 @@ TEST(slack_grows_with_the_numbers)
   ASSERT_CLOSE(slack.height, unit * (34.0 + 1.75 * 7.0), 1e-15);
 }
 
-// A triangle on the reflection texture, all of it at one depth and height and at w = 1.
-static bool is_kept_at(const water_triangle_cull_view* view, const water_triangle_cull_slack* slack,
-  const double px[3][2], double depth, double height)
-{
-  water_corner corners[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    const water_corner made = { { 0.0, 0.0, depth, 1.0 }, 1.0, { px[i][0], px[i][1] }, depth,
-      height };
-    corners[i] = made;
-  }
-  const water_corner* const all[3] = { corners, corners + 1, corners + 2 };
-  return water_triangle_cull_add(view, slack, all);
-}
-
-// Edges that run along a row but for their last bit, as those of flat meshes before a level camera
-// do, meet it further off than integers go; and so far off that no number says where.
-TEST(edges_along_a_row_end_where_the_picture_ends)
-{
-  const water_triangle_cull_slack none = { { 0.0, 0.0, 0.0 }, 0.0 };
-  const double rises[6] = { 0.0, 1e-9, 1e-13, 1e-15, 1e-300, DBL_TRUE_MIN };
-  const double inside[3][2] = { { 20.0, 12.0 }, { 22.0, 12.0 }, { 20.0, 14.0 } };
-  for (int i = 0; i < 6 * 2 * 2 * 2; ++i)
-  {
-    float depths[PIXELS];
-    const double rise = i / 24 ? -rises[i % 6] : rises[i % 6];
-    const bool is_top = i / 6 % 2;
-    const bool is_turned = i / 12 % 2;
-    // the middle of the row is inside, but nearer to the edge than a corner may be put elsewhere
-    const double along = is_top ? 34.55 : rise < 1e-200 && rise > -1e-200 ? 0.0 : 4.45;
-    const double px[3][2] = { { is_turned ? 45.0 : 5.0, along },
-      { is_turned ? 5.0 : 45.0, along + rise }, { 20.0, is_top ? 5.0 : 34.0 } };
-    const water_triangle_cull_view view = view_made(depths);
-    water_triangle_cull_begin(view.rect_px, NULL, depths);
-    assert_true(is_kept_at(&view, &none, px, 0.5, 9.0));
-    for (int x = 0; x < WIDTH && along > 1.0; ++x)
-    {
-      assert_true(depths[(is_top ? 34 : 4) * WIDTH + x] == FLT_MAX); // not surely covered
-    }
-    const bool is_kept_inside = is_kept_at(&view, &none, inside, 0.6, 9.0);
-    assert_true(!is_kept_inside || fabs(rise) < 1e-200);
-  }
-}
-
 // The slack counts on the side of caution, of what hides and of what is hidden.
 TEST(slack_is_on_the_side_of_caution)
 {
@@ -286,5 +242,5 @@ TEST(corners_behind_the_eye_are_beyond_a_side_or_not)
 
 TESTS(a_pixel_is_its_middle_within_the_grid, what_is_sure_to_be_drawn_hides,
   what_the_view_cuts_hides_nothing, no_number_is_kept, slack_grows_with_the_numbers,
-  edges_along_a_row_end_where_the_picture_ends, slack_is_on_the_side_of_caution,
-  under_the_water_by_more_than_the_slack, corners_behind_the_eye_are_beyond_a_side_or_not)
+  slack_is_on_the_side_of_caution, under_the_water_by_more_than_the_slack,
+  corners_behind_the_eye_are_beyond_a_side_or_not)

@@ -169,6 +169,27 @@ TEST(cusp_is_safe)
   }
 }
 
+// So close to a cusp that no area is left to a double, the water comes from far beside it: from the
+// cube root of six times as far.
+TEST(beside_a_cusp_the_water_comes_from_farther)
+{
+  const double places[3] = { 1e-12, 1e-10, 3e-9 };
+  const double angles[2] = { 0.0, 0.25 * two_pi }; // along either axis
+  for (int i = 0; i < 12; ++i)
+  {
+    const int axis = i / 3 % 2;
+    const double place = (i / 6 ? -1.0 : 1.0) * places[i % 3];
+    const water_wave wave = { 1.0, two_pi, angles[axis], two_pi / 4.0, 1.0 };
+    water_wave_term term;
+    water_wave_point point;
+    double rest[2];
+    terms_of(&wave, 1, deep, 0.0, &term);
+    assert_int_equal(
+      water_waves_find(&term, 1, axis ? 0.0 : place, axis ? place : 0.0, rest, &point), WATER_OK);
+    ASSERT_CLOSE(rest[axis], cbrt(6.0 * place), 1e-2 * fabs(cbrt(6.0 * place)));
+  }
+}
+
 // No wave, no surface but the plane.
 TEST(no_waves_are_a_flat_surface)
 {
@@ -433,7 +454,7 @@ TEST(other_waves_are_found_as_terms)
 
 TESTS(other_waves_are_found_as_terms, sine_wave_is_where_it_should_be,
   normal_slope_and_area_are_those_of_the_surface, trochoid_has_its_known_slope_and_mean_level,
-  find_undoes_the_displacement, cusp_is_safe, no_waves_are_a_flat_surface,
-  rms_is_that_of_the_surface, rows_give_the_same_height_in_float, bad_waves_are_refused,
-  bad_numbers_are_refused, tilt_adds_slopes, reach_holds_the_surface,
+  find_undoes_the_displacement, cusp_is_safe, beside_a_cusp_the_water_comes_from_farther,
+  no_waves_are_a_flat_surface, rms_is_that_of_the_surface, rows_give_the_same_height_in_float,
+  bad_waves_are_refused, bad_numbers_are_refused, tilt_adds_slopes, reach_holds_the_surface,
   slope_looked_up_bounds_the_slope, no_place_has_no_surface)

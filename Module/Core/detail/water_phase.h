@@ -23,16 +23,23 @@ static inline double water_turn(double turns)
   return turns - rint(turns);
 }
 
-// Rounding error of the product a * b; exact for factors under 1e299.
-static inline double water_product_loss(double a, double b)
+// Rounding error of the product a * b by Dekker 1971, with Veltkamp's halves of 26 bits; exact for
+// factors under 1e299 unless the error itself underflows.
+static inline double water_product_loss_by_halves(double a, double b)
 {
-#ifdef __MINGW32__ // its fma rounds twice; Dekker 1971, with Veltkamp's halves of 26 bits
   const double split = 134217729.0; // 2^27 + 1
   const double a_high = split * a - (split * a - a);
   const double b_high = split * b - (split * b - b);
   const double a_low = a - a_high;
   const double b_low = b - b_high;
   return ((a_high * b_high - a * b) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
+// The same in one instruction where there is one.
+static inline double water_product_loss(double a, double b)
+{
+#ifdef __MINGW32__ // its fma rounds twice
+  return water_product_loss_by_halves(a, b);
 #else
   return fma(a, b, -(a * b));
 #endif

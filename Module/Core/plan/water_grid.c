@@ -110,22 +110,15 @@ static void polygon_cut(polygon* shape, const double line[3])
 // Half of the side of the square around the point under the eye that represents an endless sheet.
 static double endless_side(const water_grid_view* view, double height, double reach)
 {
-  double wide = fmax(view->eye_height, height);
+  double wide = view->eye_height;
   if (isinf(view->eye_height))
   {
-    wide = 0.0;
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      const double* place = view->clip_to_place; // w is 1
-      const double x = corner % 2 ? 1.0 : -1.0;
-      const double y = corner / 2 ? 1.0 : -1.0;
-      const double w = place[6] * x + place[7] * y + place[8];
-      wide = fmax(wide,
-        hypot(place[0] * x + place[1] * y + place[2], place[3] * x + place[4] * y + place[5]) /
-          fabs(w));
-    }
+    // to the middle of its picture, and from there to a corner at most; w is the same everywhere
+    const double* place = view->clip_to_place;
+    const double across = hypot(place[0], place[3]) + hypot(place[1], place[4]);
+    wide = (hypot(place[2], place[5]) + across) / fabs(place[8]);
   }
-  return endless_reach * (wide + height + reach);
+  return endless_reach * fmax(fmax(wide, height), reach);
 }
 
 static polygon part_in_view(

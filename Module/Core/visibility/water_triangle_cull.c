@@ -116,13 +116,19 @@ typedef struct edge
   double inner; // and further in than this all are
 } edge;
 
-// With corners a and b of an edge, each off by at most (dx, dy), and u, v from a pixel to them, the
-// edge's function u x v is off by at most dx (|uy| + |vy|) + dy (|ux| + |vx|) + 2 dx dy. In the
-// triangle's box both are at most its size. The sum is convex in the pixel; so in the triangle it
-// is at most the mean of its values at the three corners by the pixel's barycentric coordinates, of
-// which the one that belongs to the edge is u x v over twice the area.
+// Let the corners be off by at most (dx, dy) each.
 //
-// Returns false when the triangle is too thin to know its inside.
+// Outside: the function of an edge e is linear, and at a corner that is put elsewhere at most
+// dx |ey| + dy |ex| less than at the corner, where it is not negative. So it is at no place between
+// three such corners less than minus that.
+//
+// Inside: with u, v from a pixel to the ends of an edge, its function u x v is off by at most
+// dx (|uy| + |vy|) + dy (|ux| + |vx|) + 2 dx dy. The sum is convex in the pixel; so in the triangle
+// it is at most the mean of its values at the three corners by the pixel's barycentric coordinates,
+// of which the one that belongs to the edge is u x v over twice the area.
+//
+// Returns false when an edge is so short, or so nearly along a row, that no number says where it
+// meets it.
 static bool find_edges(const picture* of, edge edges[3])
 {
   const double(*px)[2] = of->px;
@@ -130,28 +136,21 @@ static bool find_edges(const picture* of, edge edges[3])
     (px[1][0] - px[0][0]) * (px[2][1] - px[0][1]) - (px[1][1] - px[0][1]) * (px[2][0] - px[0][0]);
   const double turn = twice_area < 0.0 ? -1.0 : 1.0;
   const double* shift = of->shift_px;
-  const double both = 2.0 * shift[0] * shift[1];
-  const double width = of->high[0] - of->low[0] + 2.0 * shift[0];
-  const double height = of->high[1] - of->low[1] + 2.0 * shift[1];
-  const double in_box = 2.0 * (shift[0] * height + shift[1] * width) + both;
-  if (!(fabs(twice_area) > in_box))
-  {
-    return false;
-  }
   for (int i = 0; i < 3; ++i)
   {
     const double* from = px[(i + 1) % 3];
     const double* to = px[(i + 2) % 3];
     const double* third = px[i];
-    double at_ends = both;
-    double at_third = both;
+    double off = 0.0; // dx |ey| + dy |ex|
+    double at_third = 0.0;
     for (int j = 0; j < 2; ++j)
     {
-      at_ends += shift[1 - j] * fabs(to[j] - from[j]);
+      off += shift[1 - j] * fabs(to[j] - from[j]);
       at_third += shift[1 - j] * (fabs(to[j] - third[j]) + fabs(from[j] - third[j]));
     }
-    const double share = 1.0 - (at_third - at_ends) / fabs(twice_area);
-    const double at_inside = share > 0.0 ? at_ends / share : (double)INFINITY;
+    const double share = 1.0 - (at_third - off) / fabs(twice_area);
+    const double at_inside =
+      share > 0.0 ? (off + 2.0 * shift[0] * shift[1]) / share : (double)INFINITY;
     const double rise = turn * (from[1] - to[1]);
     const double run = turn * (to[0] - from[0]);
     edge* made = edges + i;
@@ -160,9 +159,9 @@ static bool find_edges(const picture* of, edge edges[3])
     made->slope = rise != 0.0 ? -run / rise : 0.0;
     made->at_zero = rise != 0.0 ? from[0] - made->slope * from[1] : from[1];
     const double length = fabs(rise != 0.0 ? rise : run);
-    made->outer = in_box / length;
+    made->outer = off / length;
     made->inner = at_inside / length;
-    if (!(fabs(made->at_zero) < DBL_MAX))
+    if (!(fabs(made->at_zero) + made->outer < DBL_MAX))
     {
       return false;
     }
@@ -330,13 +329,13 @@ bool water_triangle_cull_add(const water_triangle_cull_view* view,
     return false;
   }
   edge edges[3];
-  const bool has_inside = find_edges(&of, edges);
-  if (has_inside && is_hidden(view, &of, edges))
+  const bool has_edges = find_edges(&of, edges);
+  if (has_edges && is_hidden(view, &of, edges))
   {
     return false;
   }
   // neither the water nor the ends of the view cut it
-  if (has_inside && view->is_solid && lowest > slack->height &&
+  if (has_edges && view->is_solid && lowest > slack->height &&
     of.depth_min > -1.0 + of.shift_depth && of.depth_max < 1.0 - of.shift_depth)
   {
     cover(view, &of, edges);

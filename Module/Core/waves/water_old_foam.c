@@ -52,7 +52,7 @@ static double share_above(double level)
 // The chance that of two normal numbers of a correlation only the second is above a level.
 static double chance_to_rise(double level, double likeness)
 {
-  const double width = (largest_level + fabs(level)) / PANELS;
+  const double width = largest_level / PANELS; // what is farther over it hardly counts
   const double across = sqrt(fmax(1.0 - likeness * likeness, 1e-12));
   double sum = 0.0;
   for (int i = 0; i < PANELS; ++i)
