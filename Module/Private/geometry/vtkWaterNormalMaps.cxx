@@ -11,8 +11,8 @@
 
 namespace
 {
-constexpr int kSmallest = 2;
-constexpr int kLargest = 4096;
+constexpr int kSmallestImage = 2;
+constexpr int kLargestImage = 4096;
 constexpr int kBuiltInSize = 256;
 constexpr int kBuiltInSeed = 20061214;
 
@@ -45,12 +45,12 @@ std::string CheckPicture(vtkTexture* texture)
   }
   const int* size = image->GetDimensions();
   const int channels = scalars->GetNumberOfComponents();
-  if (size[2] != 1 || size[0] < kSmallest || size[1] < kSmallest || size[0] > kLargest ||
-    size[1] > kLargest)
+  if (size[2] != 1 || size[0] < kSmallestImage || size[1] < kSmallestImage || size[0] > kLargestImage ||
+    size[1] > kLargestImage)
   {
     wrong << "the picture is " << size[0] << " x " << size[1] << " x " << size[2]
-          << "; it must be from " << kSmallest << " x " << kSmallest << " to " << kLargest << " x "
-          << kLargest;
+          << "; it must be from " << kSmallestImage << " x " << kSmallestImage << " to " << kLargestImage << " x "
+          << kLargestImage;
   }
   else if (channels != 3 && channels != 4)
   {
