@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_runs.h: large meshes on a GPU: runs of their triangles, so that the mirrored view draws
-// only those that the water can show. A GPU draws a triangle sooner than the processor looks at it.
-// So the clusters are large, lie in groups, and what is left of them is a few long runs, drawn in
-// the mesh's order from the index buffer that is there: nothing is copied, and every pixel is as
-// before. Where the processor draws, water_clusters.h is used in its place.
+// only those that the water can show. A GPU draws a triangle sooner than the CPU looks at it. So
+// the clusters are large, lie in groups, and what is left of them is a few long runs, drawn in the
+// mesh's order from the index buffer that is there: nothing is copied, and every pixel is as
+// before. With software rendering, water_clusters.h is used in its place.
 #ifndef water_runs_h
 #define water_runs_h
 
