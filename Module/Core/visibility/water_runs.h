@@ -63,8 +63,8 @@ bool water_runs_add(const water_runs_mesh* mesh, size_t first, const uint32_t* i
 // Fills the boxes of the groups from those of the leaves.
 void water_runs_end(const water_runs_mesh* mesh);
 
-// The runs that may change a pixel, in the mesh's order. Gaps of up to WATER_RUNS_GAP triangles are
-// drawn where that changes nothing.
+// The runs that may change a pixel, in the mesh's order. Gaps of up to WATER_RUNS_GAP triangles
+// between them are drawn, too, where that changes nothing.
 //
 // view    of the whole drawn part of the reflection texture (water_clusters_view_make)
 // places  room for leaf_count
