@@ -116,8 +116,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_wind_direction(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_whitecaps(
   vtk_water_actor* actor, int whitecaps);
 
-/* Sets the time after which 1/e of a whitecap's foam is left, s in [0, 10]; 0: it goes with the
- * crest. Default 3.5. */
+/* Sets the time after which 1/e of a whitecap's foam is left, s in [0, 10]; 0: the foam vanishes as
+ * soon as the crest does. Default 3.5. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_whitecap_life_time(
   vtk_water_actor* actor, double seconds);
 
@@ -143,8 +143,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_own_view(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_water_type(
   vtk_water_actor* actor, const char* name);
 
-/* Sets the depth below which the shore foams, m, finite and not negative; with refraction. Default
- * 0: no foam. */
+/* Sets a depth, m, finite and not negative: the shore foams where the water is shallower than this.
+ * Needs refraction. Default 0: no foam. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_foam(
   vtk_water_actor* actor, double depth);
 
@@ -192,8 +192,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_environment(
 
 /* Sets a mesh as the water's surface, instead of the built-in sheet: point_count times x, y, z;
  * triangle_count times three point indices. The data are copied. It should lie in the water's
- * plane, apart from waves. NULL points, the default: the sheet. Either call removes the current, *
- * the matter and the foam from data. */
+ * plane, apart from waves. NULL points, the default: the sheet. Each call, with points or with
+ * NULL, removes the current, the matter and the foam from data. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_surface(vtk_water_actor* actor,
   const double* points, size_t point_count, const int64_t* triangles, size_t triangle_count);
 

@@ -122,16 +122,17 @@ public:
    * Who cuts the water of a vtkWaterSurfaceFilter at the shore (SetData, or a mapper of that
    * filter's output). CUT_IN_FILTER: the filter, in each step. CUT_WHILE_DRAWN: the renderer, which
    * draws the filter's whole input and cuts it at the depth of 0: a step of a large mesh then costs
-   * the processor less, because no cell is cut and none is sent again. The line is the same in
-   * triangles; in a quad it has a bend on the diagonal where VTK splits it. CUT_AUTOMATIC:
-   * CUT_WHILE_DRAWN on a GPU, CUT_IN_FILTER with software rendering.
+   * the CPU less, because no cell is cut and none is sent again. The line is the same in triangles;
+   * in a quad it has a bend on the diagonal where VTK splits it. CUT_AUTOMATIC: CUT_WHILE_DRAWN on
+   * a GPU, CUT_IN_FILTER with software rendering.
    *
-   * The filter cuts anyway if the picture would differ, or cannot be drawn so: before the first
-   * frame; if cells are dry as a whole next to water (a solver's dry cells behind a dyke); if
-   * polygons of five corners or more are crossed twice by the shore, or a quad has water of two
-   * lakes; if a shown array has no number at a dry point beside the water; with a level alone;
-   * with mappers other than vtkPolyDataMapper, with edges, vertices, wireframe or shader code of
-   * the user's; with a driver whose clip distances are wrong.
+   * The filter cuts even with CUT_WHILE_DRAWN if the picture would otherwise differ, or if the cut
+   * is impossible while drawing. This is so before the first frame; if only a level is given; if
+   * the mapper is not a vtkPolyDataMapper, or shows edges, vertices or a wireframe, or has shader
+   * code of the user; and if the driver's clip distances are wrong. It is also so if a cell next to
+   * water is completely dry (as behind a dyke), if the shore crosses a polygon of five or more
+   * corners twice, if a quad has water of two lakes, or if a displayed array is NaN at a dry point
+   * next to water.
    *
    * Pickers, exporters and filters that use a water's mapper, or the vtkWaterSurfaceFilter, get the
    * cut mesh. It is made when it is asked for. Another number is rejected with an error. Default is

@@ -298,7 +298,7 @@ public:
   /**
    * Picture of the surroundings in latitude and longitude, like that of a vtkSkybox with the
    * projection Sphere. The renderer's EnvironmentUp and EnvironmentRight orient it. It is also the
-   * sky for rays that leave the mirrored picture, for an eye under water, and for this water in
+   * sky for rays that leave the mirrored view, for an eye under water, and for this water in
    * another water's reflection. Without a texture, these use the sky that VTK shows: a skybox or
    * the renderer's background. A cube map is rejected with an error. Default is nullptr.
    */
@@ -387,10 +387,10 @@ public:
   /**
    * Shadows of objects on the water's glitter and foam. Objects that cast a shadow into the picture
    * are drawn along the sun's rays into a separate view, even if they are outside the picture
-   * themselves. The view has as many pixels as the picture, and is drawn again when the camera, the
-   * sun or an object has changed, with a controller of several ranks on any of them. Translucent
-   * props, volumes and props that are not reflected cast no shadows. The sun is treated as
-   * infinitely distant. Default is off.
+   * themselves. The view has as many pixels as the picture. It is drawn again when the camera, the
+   * sun or an object has changed; with several ranks (SetController), when one of these has changed
+   * on any rank. Translucent props, volumes and props that are not reflected cast no shadows. The
+   * sun is treated as infinitely distant. Default is off.
    * Source: Blinn 1988, "Me and My (Fake) Shadow".
    */
   void SetShadows(bool shadows);
@@ -646,8 +646,8 @@ public:
   ///@{
   /**
    * Side length of the first tile, m: in [0.001, 1e9], or 0 for 24 times the wavelength of the
-   * spectral peak (10 times with one cascade), which preserves the sea's height within 1 %. Shorter
-   * tiles repeat sooner and lack the waves longer than the tile; with one cascade they show shorter
+   * spectral peak (10 times with one tile), which preserves the sea's height within 1 %. Shorter
+   * tiles repeat sooner and lack the waves longer than the tile; with one tile they show shorter
    * waves near the eye. GetUsedSeaTileLength returns the length in use. Default is 0.
    */
   void SetSeaTileLength(double length);
@@ -666,12 +666,13 @@ public:
 
   ///@{
   /**
-   * Number of tiles of the sea, in [1, 3], each with a band of the waves. The first has the longest
-   * waves; each further tile is shorter by the same factor (at most 19 for 256 points). The sea
-   * then includes waves of a few centimetres and does not repeat as a whole. If fewer tiles already
-   * reach waves of 1.7 cm, fewer are used: GetUsedSeaCascades returns their number. The time to
-   * compute a sea is proportional to the number of tiles. A pixel larger than the waves of a tile
-   * does not read that tile. Three tiles show ripples close to the eye. Default is 2.
+   * Number of tiles of the sea (its cascades), in [1, 3], each with a band of the waves. The first
+   * has the longest waves; each further tile is shorter by the same factor (at most 19 for 256
+   * points). The sea then includes waves of a few centimetres and does not repeat as a whole. If
+   * fewer tiles already reach waves of 1.7 cm, fewer are used: GetUsedSeaCascades returns their
+   * number. The time to compute a sea is proportional to the number of tiles. A pixel larger than
+   * the waves of a tile does not read that tile. Three tiles show ripples close to the eye. Default
+   * is 2.
    *
    * Source: Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean Lighting using
    * Seamless Transitions from Geometry to BRDF".

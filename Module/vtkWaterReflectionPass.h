@@ -310,8 +310,8 @@ public:
    *
    * The last three use a ladder of eight steps, with texture scales from 1 to 0.25 instead of
    * TextureScale, and at most the ray steps that are set. They do not oscillate between two steps.
-   * On a software renderer, the GPU time is the processor's time, including work deferred until
-   * then. Source: Documentation/decisions/010-quality.md. Default is FIXED.
+   * On a software renderer, the GPU time is CPU time, including work deferred until then. Source:
+   * Documentation/decisions/010-quality.md. Default is FIXED.
    */
   void SetQuality(int quality);
   int GetQuality() const;

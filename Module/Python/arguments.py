@@ -166,10 +166,10 @@ def add_scene_arguments(parser):
                             "wider than the picture; turns refraction on; default no")
     water.add_argument("--whitecaps", type=number(0.0, 10.0), nargs="?", const=True, metavar="S",
                        help="foam where the crests of a wind sea break; the number is the time in seconds after which "
-                            "1/e of it is left, 3.5 without a number, 0: it goes with the crest")
+                            "1/e of it is left, 3.5 without a number, 0: it vanishes with the crest")
     water.add_argument("--foam", type=number(0.0, 1e9), nargs="?", const=True, metavar="M",
-                       help="depth in metres below which the shore foams; without a number 0.25, and with "
-                            "automatic units at least 1/400 of the scene's diagonal; turns refraction on")
+                       help="foam at the shore where the water is shallower than this, in metres; without a number "
+                            "0.25, and with automatic units at least 1/400 of the scene's diagonal; turns refraction on")
     water.add_argument(
         "--caustics",
         type=number(0.0, 1.0),
@@ -200,7 +200,8 @@ def add_scene_arguments(parser):
                       help=f"elevation of the eye above the horizon; default {TERRAIN_ELEVATION}, and "
                            f"{DATA_ELEVATION} for a solver's file")
     view.add_argument("--zoom", type=number(0.01, 1000.0), default=1.0, metavar="X",
-                      help="2 shows half of the width; default 1: everything above the water, and its reflection")
+                      help="zoom factor; the default 1 shows everything above the water and its reflection, 2 half "
+                           "of that width")
     view.add_argument("--sun", type=number(-360.0, 360.0), default=None, metavar="DEG",
                       help="azimuth of the sun, from north towards east; default: to the right of the eye")
     view.add_argument("--sky", type=number(2.0, 10.0), nargs="?", const=TURBIDITY, metavar="TURBIDITY",

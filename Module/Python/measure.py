@@ -91,8 +91,8 @@ def profile(water, start, end, count=200):
     Returns
     -------
     dict[str, numpy.ndarray]
-        As probe, and the places' "distance" from the start. If the water has an array of this name, "distance" is
-        that array, and the places' is "WaterDistance".
+        The arrays of probe, and "distance", the distance of each place from the start. If the water itself has an
+        array "distance", this name keeps the water's array, and the distance from the start is "WaterDistance".
 
     Raises
     ------

@@ -153,8 +153,8 @@ def add_water(
 
     whitecaps : float | bool, optional
         Whether a wind sea has foam where its crests break; a number is the time in seconds, 0 to 10, after which 1/e
-        of such foam is left (0: it goes with the crest), and True means 3.5. Whitecaps need a wind sea. The default is
-        False.
+        of such foam is left (0: it vanishes with the crest), and True means 3.5. Whitecaps need a wind sea. The default
+        is False.
     refraction : bool, optional
         Whether the scene is visible through the surface, refracted and attenuated. By default the preset decides.
         Without a preset the default is True, unless ``color`` or ``opacity`` is given.
@@ -167,8 +167,8 @@ def add_water(
         30 degrees.
 
     foam : float | bool, optional
-        Depth in metres below which the shore foams, finite and not negative; True means 0.25, and
-        with automatic units at least 1/400 of the scene's diagonal. Turns refraction on.
+        A depth in metres, finite and not negative: the shore foams where the water is shallower than this. True means
+        0.25, and with automatic units at least 1/400 of the scene's diagonal. Turns refraction on.
 
     caustics : float | bool, optional
         Strength of the light that waves focus on what lies under them, in [0, 1]; True means 0.8. Caustics need waves,

@@ -46,7 +46,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
         together with waves.
     whitecaps : float | bool
         Whether a wind sea has foam where its crests break; a number is the time in seconds, 0 to 10, after which 1/e
-        of such foam is left (0: it goes with the crest), and True means 3.5. Whitecaps need a wind sea.
+        of such foam is left (0: it vanishes with the crest), and True means 3.5. Whitecaps need a wind sea.
     color : sequence[float]
         Colour of deep water: red, green, blue in [0, 1].
     opacity : float
@@ -56,10 +56,10 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
         is True, unless color or opacity is given.
     own_view : bool
         Whether the refracted colours come from an additional view of what lies below the water, wider than the
-        picture. It needs refraction and turns it on. By default, open water seen from a low camera has one.
+        picture. It needs refraction and turns it on. By default the look's RefractionSource does not change.
     foam : float | bool
-        Depth in metres below which the shore foams, finite and not negative; True means 0.25, and with automatic
-        units at least 1/400 of the scene's diagonal. Foam needs refraction and turns it on.
+        A depth in metres, finite and not negative: the shore foams where the water is shallower than this. True means
+        0.25, and with automatic units at least 1/400 of the scene's diagonal. Foam needs refraction and turns it on.
     caustics : float | bool
         Strength of the light that waves focus under the surface, in [0, 1]; True means 0.8. Caustics need waves, and
         refraction, which they turn on.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The water finds its sky by itself: rays that leave the mirrored picture, water in other water, and an eye under
+"""The water finds its sky by itself: rays that leave the mirrored view, water in other water, and an eye under
 water see what VTK itself shows in their direction.
 
 The environment may ask for more skies of each kind: WATER_SKY_SEEDS, a number.

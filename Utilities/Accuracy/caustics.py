@@ -18,8 +18,9 @@ TEXT = """
 Five sines (amplitudes of 3 to 35 mm, wavelengths of 0.5 to 5 m) over a horizontal bed; $width x $height pixels of 17
 mm, seen from straight above. The truth refracts $photons million photons at the exact slopes, each from a point of
 the sun's disc, counts them on the bed, and renders its picture with 4 x 4 refracted rays per pixel. Errors are
-relative to the mean light. The truth is two halves of the photons with
-independent noise; the RMSE is the root of the mean product of the differences to both, which excludes that noise.
+relative to the mean light. The photons are divided into two halves, which give two
+independent estimates of the truth. The squared RMSE is the mean of the product of two differences: the picture minus
+the first estimate, and the picture minus the second. The noise of the estimates cancels in this mean.
 
 $errors
 

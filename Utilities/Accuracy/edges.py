@@ -46,10 +46,10 @@ PLACES = {
 }
 TEXT = """
 $count random scenes ($seeds), $width x $height pixels: rocks and posts in clear or opaque, calm or rippled water,
-over beds with and without a shore. RMSE, of 255, of the pixels within $near of an edge of the water, compared with 64
-samples per pixel; and the same with an opaque plane instead of the water. The last columns are the RMSE of the whole
-picture, with the water and with neither water nor plane. If the driver has fewer samples than a mode
-requests, it uses the driver's number. frames-4 is the mean of four pictures, each drawn in full with all pixels shifted
+over beds with and without a shore. The table gives the RMSE (of 255) of the pixels that are at most $near pixels from an
+edge of the water. The reference has 64 samples per pixel. The same is measured with an opaque plane instead of the
+water. The last columns give the RMSE of the whole picture, with the water, and with neither water nor plane. If the
+driver supports fewer samples than a mode requests, the mode uses as many as it supports. frames-4 is the mean of four pictures, each drawn in full with all pixels shifted
 to one of the four sample positions: the best result that four samples per pixel can have. frames-8 and frames-16 are
 the same with more samples. On an NVIDIA H200, which has 16 samples, the median ratios are 1.02 with
 MSAA-2, 1.17 with MSAA-4 (frames-4: 1.15), 1.77 with MSAA-8 (frames-8: 1.53), and 1.80 with MSAA-16 (frames-16: 1.69).

@@ -58,7 +58,9 @@ Reasons that the module reports, all scenes together, default quality:
 
 $reasons
 
-The scenes with the largest ratios, default quality:
+The scenes with the largest ratios, default quality. "From what the mirrored view lacks" is the ratio of a picture that
+has the correct colour wherever the mirrored view contains the point that a ray meets; "pixels that it lacks" is the
+share of the other pixels.
 
 $worst
 
@@ -223,7 +225,7 @@ def _judge(report, rows, qualities):
                              float(np.percentile(ratios, 95)), most)
         report.check_at_most(f"{name}, {quality}: pixels that show the background behind a dome",
                              sum(row.get(f"background {quality}", 0) for row in rows), 0, 0)
-    report.check_at_most(f"{name}: the same of the truth", sum(row.get("background truth", 0) for row in rows), 0, 0)
+    report.check_at_most(f"{name}, truth: pixels that show the background behind a dome", sum(row.get("background truth", 0) for row in rows), 0, 0)
     report.check_at_most(f"{name}: % of pixels in which VTK without water and the tracer are apart, most of a scene",
                          max(row["apart"] for row in rows), MOST_APART)
     report.check_at_most(f"{name}: % of the tracer's hits off their triangle's plane, mean",
@@ -272,7 +274,7 @@ def _worst(rows, count):
                       + (f", {camera}" if camera else ""),
                       f"{row['waves']}, slope {row['slope']:.2f}",
                       f"{row['dome']:.3g} m" if row["dome"] else "none"))
-    return table(("seed", "RMSE, perfect", "default", "ratio", "from what one map lacks", "it lacks",
+    return table(("seed", "RMSE, perfect", "default", "ratio", "from what the mirrored view lacks", "pixels that it lacks",
                   "most of the squared error", "eye", "waves", "dome"),
                  cells)
 

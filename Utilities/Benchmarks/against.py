@@ -6,7 +6,7 @@
 FOLDER holds the other build: <FOLDER>/lib/python3.11/site-packages/vtkwater. Two processes, one for
 each build, run `benchmark.py --quick` and render in turns, frame by frame, so that what slows the
 machine down slows both down. Every run begins with the other one of them. Prints, for each kind of
-frame, the processor's and the clock's time over the other build's: medians over the runs of the
+frame, the CPU's and the clock's time over the other build's: medians over the runs of the
 ratios of the runs' medians. Exit status 1: a ratio is over LIMIT.
 """
 
@@ -90,7 +90,7 @@ def main():
         print(f"run {run + 1} of {arguments.runs}", flush=True)
 
     failed = 0
-    print("processor  clock  frame")
+    print("      CPU  clock  frame")
     for key, found in ratios.items():
         work, clock = (statistics.median(column) for column in zip(*found))
         is_over = work > LIMIT

@@ -16,15 +16,16 @@ LIMITS = {
     ("bare terrain", 0.5): 1.45,
 }
 BOUND_LIMIT = 1.15
-CLOCKS = {"median": "frame", "work": "processor"}
+CLOCKS = {"median": "frame", "work": "CPU"}
 PROPS = (1000, (0, -20, 0.3), (30, 25, 3.0), 0.3)
 
 TEXT = """
 The camera moves; calm water. The bound is 1 + (g V + f s^2 F) / (V + F) + f c. V is the time of the frame's geometry,
 measured in a viewport of $tiny of the window's width and height; F is the rest of the frame without water; f is the
-water's share of the picture. g is the share of the geometry that the mirrored view draws: of the bare terrain's
-triangles and, for the draw time that props add to V, of the props. s is the texture scale. f c is the surface's own
-time relative to that of the frame, measured with the same water and a still camera, when no mirrored view is drawn.
+water's share of the picture. g is the share of the geometry that the mirrored view draws: for the part of V that
+the bare terrain takes, the share of the terrain's triangles; for the part that the props add, the share of the props.
+s is the texture scale. f c is the surface's own time relative to that of the frame, measured with the same water and a
+still camera, when no mirrored view is drawn.
 The bound is given twice: for the time of the frame, and for its CPU time in all threads. They differ because the
 mirrored view waits for the picture that determines its visible part.
 

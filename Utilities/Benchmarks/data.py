@@ -47,7 +47,7 @@ which other load on the machine does not change; limits apply to it. The load av
 
 $steps
 
-The same of $few cells, whose triangles cover many pixels each:
+The same with $few cells, whose triangles cover many pixels each:
 
 $few_steps
 

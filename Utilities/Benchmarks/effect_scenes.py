@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """effect_scenes: each effect of a water, on and off in one window, in frames that take turns; needs no plots.
 
-What a water has beside the effect is the same in both. The camera and the time of the waves move on in every frame:
+All other settings of the water are the same with and without the effect. The camera and the time of the waves move on in every frame:
 of a view that stands still, what the water looks up is used again.
 """
 

@@ -18,8 +18,8 @@ MOST_SHADOWS = 1.5  # a frame with them, over one without
 
 TEXT = """
 The terrain, $width x $height pixels, on this machine. Each effect is switched on and off in one
-window, the frames in turns; the camera and the time of the waves move on in every frame. What a
-water has beside the effect is the same in both. "Under water" compares an eye below the surface with
+window, the frames in turns; the camera and the time of the waves move on in every frame. All other
+settings of the water are the same with and without the effect. "Under water" compares an eye below the surface with
 one that sees no water, and "clear sky" includes the sky's own picture. "Hardware" is the shader for
 GPUs, drawn by the same renderer.
 

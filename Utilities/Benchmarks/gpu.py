@@ -38,9 +38,10 @@ $kinds
 
 $frames
 
-Breakdown of the time with a moving camera, and of a step of data: the CPU time of all threads; the GPU time from the first command of a
-frame to the last, including its waits for the next command; and of these, reading the scene and planning (CPU), the
-mirrored view and the surface (GPU). In ms, from frames that were not timed otherwise.
+Breakdown of the time with a moving camera, and of a step of data, in ms. "work" is the CPU time of all threads. "GPU"
+is the time from a frame's first GPU command to its last, including waits for the next command. Parts of these are
+"gather" (reading the scene) and "plan", CPU times, and "reflection" (the mirrored view) and "surface", GPU times. They
+were measured in separate frames, which are not part of the tables above.
 
 $phases
 

@@ -7,9 +7,9 @@ from report import plt
 
 PARETO_TEXT = """*Solid line: the Pareto front. Small marks: the formulas of other programs, dark
 with their best constant, light with published constants. Formulas that the
-module lacks are placed at the time of its fixed offset, whose shader has at
-least the same cost; their pictures are made by the tracer, without the loss of
-a texture.*"""
+module does not have are shown at the time of the module's fixed offset, whose
+shader costs at least as much. The ray tracer renders their pictures, so that
+they lose no detail in a reflection texture.*"""
 MARKERS = {1.0: "o", 0.5: "s", 0.25: "^"}
 
 

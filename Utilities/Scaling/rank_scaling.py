@@ -84,7 +84,7 @@ def plot(report, strong, weak, model):
     for axis in (work, sent):
         axis.set_xscale("log", base=2)
         axis.set_xticks(RANKS, [str(ranks) for ranks in RANKS])
-    work.set(yscale="log", xlabel="ranks", ylabel="processor's time of the busiest rank, ms")
+    work.set(yscale="log", xlabel="ranks", ylabel="CPU time of the busiest rank, ms")
     sent.set(xlabel="ranks", ylabel="MB sent by the busiest rank", ylim=(0, None))
     far = np.unique(np.geomspace(2, FAR, 60).astype(int))
     for number, network in enumerate((ETHERNET, INFINIBAND)):
@@ -118,11 +118,13 @@ def gpus_of(file):
              *(f"{run[name]:.2f}" for name in ("dry_part_ms", "wet_part_ms", "dry_ms", "wet_ms")),
              f"{run['bytes'] / 1e6:.2f}", f"{run['messages']:.0f}", f"{100 * run['off_dry']:.3f}",
              f"{100 * run['off_wet']:.3f}") for run in runs]
-    return (f"On one host with several GPUs ({measured['gpu']}), {first['triangles'] / 1e6:.0f} million triangles in "
-            f"{first['props']} props, {first['size'][0]} x {first['size'][1]} pixels, the median of {first['frames']} new "
-            "frames on the slowest rank. \"Parts\": each rank shows its own part, and the water joins the mirrored "
-            "view. \"Composited\": `vtkCompositedSynchronizedRenderers` joins the picture, too. Bytes and messages are "
-            "those of the water. The ranks are processes that talk over sockets.\n\n" + table(head, rows))
+    return (f"Measured on one host with several GPUs ({measured['gpu']}): {first['triangles'] / 1e6:.0f} million "
+            f"triangles in {first['props']} props, {first['size'][0]} x {first['size'][1]} pixels. Times are medians of "
+            f"{first['frames']} frames, each with a new view, on the slowest rank. \"Dry\" means without water. \"% of "
+            "pixels off\" is the share of pixels that differ from the picture of a single process. \"Parts\": each rank "
+            "shows its own part, and the water joins the mirrored view. \"Composited\": "
+            "`vtkCompositedSynchronizedRenderers` joins the picture, too. Bytes and messages are those of the water. The "
+            "ranks are processes that talk over sockets.\n\n" + table(head, rows))
 
 
 def main():

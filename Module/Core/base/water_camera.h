@@ -28,9 +28,9 @@ typedef struct water_eye
 
 // Decomposes a camera.
 //
-// Returns WATER_OK or WATER_BAD_CAMERA (a matrix or its inverse is not finite or has an
-// entry over 1e100, the view is further than 1e-6 from
-// a proper rotation with translation, or the projection has no inverse); then *eye is unchanged.
+// Returns WATER_OK or WATER_BAD_CAMERA (a matrix or its inverse is not finite or has an entry over
+// 1e100, the view is further than 1e-6 from a proper rotation with translation, or the projection
+// has no inverse). On an error, *eye is unchanged.
 water_status water_camera_decompose(const water_camera* camera, water_eye* eye);
 
 // The view ray of a pixel in the plane's own axes, for the third one towards the eye.

@@ -18,8 +18,8 @@ extern "C"
 
 // Makes the normal unit length and scales the offset with it, so that heights are distances.
 //
-// Returns WATER_OK or WATER_BAD_PLANE (not finite, a zero normal, or over 1e100 from the origin);
-// then *unit is unchanged.
+// Returns WATER_OK or WATER_BAD_PLANE (not finite, a zero normal, or over 1e100 from the origin).
+// On an error, *unit is unchanged.
 water_status water_plane_normalise(const water_plane* plane, water_plane* unit);
 
 // Signed distance of a point from a normalised plane, positive above the water.
@@ -66,7 +66,8 @@ void water_plane_sky_direction(
 //
 // bounds  xmin, xmax, ymin, ymax, zmin, zmax in world
 //
-// Returns WATER_OK or WATER_BAD_SURFACE (bounds empty or not finite); then sheet is unchanged.
+// Returns WATER_OK or WATER_BAD_SURFACE (bounds empty or not finite). On an error, sheet is
+// unchanged.
 water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
   const double y_dir[3], const double bounds[6], double sheet[4]);
 
@@ -79,9 +80,9 @@ water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
 void water_plane_displaced_bounds(const water_plane* unit, const double bounds[6], double height,
   double reach, double displaced[6]);
 
-// The same for a plane of any scale, in its own axes about origin.
+// As water_sheet_bounds, for a plane of any scale, in its own axes about origin.
 //
-// Returns as water_plane_normalise, or WATER_BAD_SURFACE; then sheet is unchanged.
+// Returns as water_plane_normalise, or WATER_BAD_SURFACE. On an error, sheet is unchanged.
 water_status water_sheet_around(
   const water_plane* plane, const double origin[3], const double bounds[6], double sheet[4]);
 

@@ -39,7 +39,7 @@ typedef struct water_polygon_share
   bool is_owned; // the owner's points, else all but these
 } water_polygon_share;
 
-// The same for a share of the points alone.
+// As water_polygon_add_normals, for a share of the points alone.
 void water_polygon_add_shared_normals(const double* points, const int64_t* starts,
   const int64_t* corners, size_t count, const water_polygon_share* share, float* sums);
 

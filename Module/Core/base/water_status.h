@@ -2,8 +2,8 @@
 // water_status.h: what can be wrong with a scene; one list gives the codes and their texts.
 //
 // Up to WATER_BAD_PROP_BOUNDS the order is the order in which water_plan_make checks; the later
-// ones belong to the waves, the spectrum, the body, the presets, the quality and the ranks. A text
-// names the accepted range; the caller adds the value it had.
+// ones belong to the waves, the spectrum, the medium, the presets, the quality and the ranks. A
+// text names the accepted range; the caller adds the value it had.
 #ifndef water_status_h
 #define water_status_h
 

@@ -42,8 +42,9 @@ enum // water_prop.flags, a bit each
   WATER_PROP_LABEL = 1 << 5,         // no object of the scene: billboards, rulers, axes
   WATER_PROP_REFUSED = 1 << 6,       // its shader cannot be cut at the water
   WATER_PROP_IS_SKY = 1 << 7,        // it shows the sky that water_scene.sky describes
-  WATER_PROP_OWN_OTHER = 1 << 8,     // an own view does not draw what a mirrored view draws of it
-  WATER_PROP_OWN_VISIBLE = 1 << 9    // what it draws instead is visible
+  WATER_PROP_OWN_OTHER = 1 << 8,     // own views draw the prop itself, mirrored views its stand-in
+                                     // or nothing
+  WATER_PROP_OWN_VISIBLE = 1 << 9    // the prop itself is visible
 };
 
 typedef struct water_prop
@@ -216,8 +217,9 @@ typedef struct water_sky
 typedef struct water_scene
 {
   water_camera eye;
-  const water_camera* picture_eye; // of the user's picture, if the eye is a mirrored one: what is
-                                   // fixed to a screen or a camera belongs to it; NULL: the eye is
+  const water_camera* picture_eye; // camera of the user's picture, if eye is a mirrored camera:
+                                   // backgrounds fixed to the screen and lights fixed to the camera
+                                   // follow it; NULL: eye is that camera
   int viewport_px[2];              // size of the picture the water is drawn into, >= 1
   int tile_scale[2]; // size of the picture that this one is a tile of, over the size of the tile;
                      // 0, 1: it is none. What is looked up beside a tile is as wide as beside the
@@ -251,8 +253,8 @@ typedef struct water_scene
     has_scene_depth; // the eye's picture of what hides the surface is available, a depth per pixel
   bool is_software;  // there is no GPU: pixels and triangles are expensive, draws are not
   bool is_beyond;    // the own view is planned, water_beyond.h, and not the mirrored view
-  bool is_from_sun;  // the sun view is, water_sun_view.h
-  bool is_of_sky;    // the sky view is, water_sky_view.h
+  bool is_from_sun;  // the sun view is planned, water_sun_view.h
+  bool is_of_sky;    // the sky view is planned, water_sky_view.h
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;
@@ -297,14 +299,16 @@ typedef struct water_plan
   water_sky_map sky_map;         // the same for directions in the plane's axes
   water_sky_map environment_map; // the water's own picture, likewise
   water_sky_floor sky_floor;     // for points in the plane's axes, from origin_xy
-  // in every direction; a dome, or a thing without bounds, hides it, and is known in the mirrored
-  // view alone
+  // the sky is known in every direction; false: a dome or a prop without bounds hides it, and how
+  // that looks is known only where the mirrored view shows it
   bool is_sky_known;
   // a drawn mesh may be the sky: the reflection texture's alpha is 0 where nothing was drawn
   bool is_enclosed;
-  double rest_top; // with a sky view: height over the plane of all else in the reflection texture,
-  double rest_depth; // and its largest depth there
-  double eta;        // index beyond the surface / index on the eye's side
+  // with a sky view: the greatest height over the plane, and the largest window depth, of all that
+  // is in the reflection texture, except what may be the sky
+  double rest_top;
+  double rest_depth;
+  double eta; // index beyond the surface / index on the eye's side
 
   // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms; of an own view the
   // eye itself, with a wider frustum

@@ -27,7 +27,7 @@ extern "C"
 
 // Metres of a unit of this name.
 //
-// Returns WATER_OK or WATER_BAD_UNITS (NULL as well); then metres is unchanged.
+// Returns WATER_OK or WATER_BAD_UNITS (NULL as well). On an error, metres is unchanged.
 water_status water_units_find(const char* name, double* metres);
 
 // Name of unit i; NULL from the number of units on.

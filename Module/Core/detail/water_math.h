@@ -17,9 +17,9 @@ extern "C"
 {
 #endif
 
-// A function that walks over large meshes: where the processor has them, it uses wider
-// instructions. Each number is still computed by the same operations, so results are the same. Only
-// for static functions: a program would find the others of another library.
+// A function that walks over large meshes: where the CPU has them, it uses wider instructions. Each
+// number is still computed by the same operations, so results are the same. Only for static
+// functions: a program would find the others of another library.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define WATER_WIDE __attribute__((target_clones("default", "avx2")))
@@ -185,7 +185,7 @@ static inline void water_mat4_multiply(const double a[16], const double b[16], d
 // Inverse of a matrix with the last row 0 0 0 1. Rows of the inverse of the 3x3 part are cross
 // products over the determinant (Cramer), so a translation of any size stays out of the rotation.
 //
-// Returns false if the 3x3 part is singular; then inverse is unchanged.
+// Returns false if the 3x3 part is singular. Then inverse is unchanged.
 static inline bool water_mat4_invert_affine(const double matrix[16], double inverse[16])
 {
   const double c0[3] = { matrix[0], matrix[4], matrix[8] };
@@ -340,7 +340,7 @@ static inline void water_mat4_eliminate(water_mat4_elimination* e, int row, int 
 // (Markowitz 1957, "The Elimination Form of the Inverse"), so that zeros of a projection's inverse
 // are zeros: a rounding in their place, times a scale of 1e9, would turn a view direction.
 //
-// Returns false if singular or not finite; then inverse is unchanged.
+// Returns false if singular or not finite. Then inverse is unchanged.
 static inline bool water_mat4_invert(const double matrix[16], double inverse[16])
 {
   water_mat4_elimination e;

@@ -19,7 +19,7 @@ extern "C"
 // sun_dir  towards the sun, unit length, the third > 0
 // slope    of the surface, dz/dx and dz/dy
 //
-// Returns false where no light enters: the surface faces away; then way is unchanged.
+// Returns false where no light enters: the surface faces away. Then way is unchanged.
 bool water_caustics_way(
   const double sun_dir[3], const double slope[2], double index, double way[2]);
 

@@ -20,12 +20,12 @@ extern "C"
 //
 // wind_speed  m/s, in [0.1, 100]
 //
-// Returns WATER_OK or WATER_BAD_WIND_SPEED ; then variance is unchanged.
+// Returns WATER_OK or WATER_BAD_WIND_SPEED. On an error, variance is unchanged.
 water_status water_glitter_variance(double wind_speed, double variance[2]);
 
 // The two together, in Cox and Munk's own fit of the sum: 0.003 + 0.00512 U (+- 0.004). Inputs and
 // errors as above.
-// Reference of tests: nothing in the module calls it.
+// Used only by tests, as a reference.
 water_status water_glitter_mean_square(double wind_speed, double* mean_square);
 
 // The same variances in axes that the first variance's direction is turned from: xx, yy and xy.
@@ -48,7 +48,7 @@ double water_glitter_density(const double variance[2], const double slope[2]);
 // facet_cosine      of the angle of incidence on the facets that shine
 //
 // 0 where the sun or the eye is not above the plane.
-// Reference of tests: nothing in the module calls it.
+// Used only by tests, as a reference.
 double water_glitter_radiance(const double sun_dir[3], const double eye_dir[3], double wind_dir_rad,
   const double variance[2], double* facet_cosine);
 

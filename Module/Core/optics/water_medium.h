@@ -60,8 +60,8 @@ water_status water_medium_check(const water_medium* medium);
 // refracted  unit length; in the plane of dir and normal
 //
 // Returns WATER_OK, WATER_BAD_DIRECTION (off unit length by more than 1e-6), WATER_BAD_INDEX_RATIO
-// or WATER_TOTAL_REFLECTION; then refracted is unchanged.
-// Reference of tests: nothing in the module calls it.
+// or WATER_TOTAL_REFLECTION. On an error, refracted is unchanged.
+// Used only by tests, as a reference.
 water_status water_medium_refract(
   const double dir[3], const double normal[3], double eta, double refracted[3]);
 
@@ -73,11 +73,11 @@ double water_medium_cosine(double cosine, double eta);
 // depth   m, >= 0
 // cosine  of the ray in the air; clamped to [0, 1]
 // eta     > 1
-// Reference of tests: nothing in the module calls it.
+// Used only by tests, as a reference.
 double water_medium_path(double depth, double cosine, double eta);
 
 // Apparent depth of a bed, m, vertically above its true place. For a vertical view it is depth /
-// eta. Reference of tests: nothing in the module calls it.
+// eta. Used only by tests, as a reference.
 double water_medium_apparent_depth(double depth, double cosine, double eta);
 
 // Attenuation of a beam, 1/m: absorption + scattering.
@@ -90,8 +90,7 @@ void water_medium_extinction(const water_medium* medium, double extinction[3]);
 void water_medium_reflectance(const water_medium* medium, double reflectance[3]);
 
 // The fraction of the light that remains after a path through the water, exp(-(a + b) path), per
-// channel. Source: Bouguer 1729; Lambert 1760; Beer 1852. Reference of tests: nothing in the module
-// calls it.
+// channel. Source: Bouguer 1729; Lambert 1760; Beer 1852. Used only by tests, as a reference.
 void water_medium_transmittance(const water_medium* medium, double path, double transmittance[3]);
 
 // Radiance scattered once towards an eye above, per unit of irradiance that the sun brings through
@@ -103,14 +102,14 @@ void water_medium_transmittance(const water_medium* medium, double path, double 
 // cosine_eye  mu_v of the refracted line of sight, (0, 1]
 // phase       1/sr at the angle between them; 1 / (4 pi) when all directions are alike
 // Source: Chandrasekhar 1950, "Radiative Transfer", section 47 (single scattering, finite slab).
-// Reference of tests: nothing in the module calls it.
+// Used only by tests, as a reference.
 void water_medium_inscatter(const water_medium* medium, double depth, double cosine_sun,
   double cosine_eye, double phase, double inscatter[3]);
 
 // Diffuse attenuation of daylight in a Jerlov type, Kd in 1/m at 650, 550 and 450 nm, just below
 // the surface under a high sun. The table has these wavelengths: nothing is interpolated.
 //
-// Returns WATER_OK or WATER_BAD_WATER_TYPE; then kd is unchanged.
+// Returns WATER_OK or WATER_BAD_WATER_TYPE. On an error, kd is unchanged.
 // Source: Jerlov 1976, "Marine Optics", table XXVII. (Austin and Petzold 1986 revised types I to 1C
 // by up to 20 %; theirs are not used, so that all ten types have one source.)
 water_status water_type_attenuation(water_type type, double kd[3]);

@@ -36,7 +36,7 @@ double water_optics_fresnel(double cosine, double eta);
 // The same by Schlick's approximation, off by less than 0.06 for water. From the denser side the
 // angle is that of the refracted ray, which keeps total internal reflection where it is.
 // Source: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering".
-// Reference of tests: nothing in the module calls it.
+// Used only by tests, as a reference.
 double water_optics_schlick(double cosine, double eta);
 
 // The most that any pixel of a part of the picture reflects, from above the water.
@@ -49,7 +49,7 @@ double water_optics_reflectance_max(const water_look* look, double eta, const do
 
 // The angle from the normal beyond which everything is reflected, in radians; pi/2 (never) when the
 // eye is on the thinner side, eta >= 1.
-// Reference of tests: nothing in the module calls it.
+// Used only by tests, as a reference.
 double water_optics_critical_rad(double eta);
 
 #ifdef __cplusplus

@@ -31,8 +31,8 @@ typedef struct water_preset
   water_sea sea;
   water_wave waves[WATER_PRESET_WAVES];
   size_t wave_count;
-  double natural_m[3]; // how large a scene with such water is, at least and at most, and how deep
-                       // its deepest bed is, 0: as it is; water_units.h
+  double natural_m[3]; // smallest and largest natural size of a scene with such water; natural
+                       // depth of its deepest bed, 0: depths are used unchanged; water_units.h
 } water_preset;
 
 // Medium of a water for which the user sets none: a clear lake. It is Jerlov's IB, whose
@@ -49,7 +49,7 @@ const char* water_preset_name(size_t number);
 // The preset of a name: "pool", "lake", "clear tropical", "ocean wind 5", "ocean wind 10",
 // "ocean wind 15", "turbid river" or "mirror floor".
 //
-// Returns WATER_OK or WATER_BAD_PRESET (NULL as well); then preset is unchanged.
+// Returns WATER_OK or WATER_BAD_PRESET (NULL as well). On an error, preset is unchanged.
 water_status water_preset_find(const char* name, water_preset* preset);
 
 #ifdef __cplusplus

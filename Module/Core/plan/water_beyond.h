@@ -50,8 +50,8 @@ bool water_beyond_is_wanted(
 water_status water_beyond_size(const int viewport_px[2], const int tile_scale[2],
   int max_texture_px, int texture_px[2], double picture_scale[2]);
 
-// A prop as the own view sees it, which has no stand-ins for a reflection. The bounds of what it
-// draws instead are not known.
+// A prop as the own view draws it: the prop itself, even if mirrored views draw a stand-in for it,
+// or nothing. Its bounds are then not known.
 water_prop water_beyond_prop(const water_prop* prop);
 
 // Widens a part of the picture that water covers, seen from above, by where its refracted rays are

@@ -30,19 +30,19 @@ typedef struct water_caustics_input
   double extinction;  // the least of the colours', per unit of length, >= 0
   int viewport_px[2]; // of the eye's picture
   int max_texture_px; // the GPU's limit for a side
-  bool is_software;   // no GPU: the processor adds the light up
+  bool is_software;   // no GPU: the CPU adds the light up
 } water_caustics_input;
 
-// A point of the bed is known by the place on the plane that would light it in calm water: light
-// that goes through calm water lights its own place. So the places are the same for all depths, and
-// calm water lights them evenly. Those places lie in the texture of light as the eye would see them
-// at the middle depth.
+// A point of the bed is identified by its place: the point of the plane through which calm water
+// would light it. With calm water, the place does not depend on the depth of the bed, and all
+// places get the same light. The texture of light has the places where the eye would see them at
+// the middle depth.
 typedef struct water_caustics
 {
   int texture_px[2];        // of the light
   int bed_px[2];            // of the bed's depths, over the picture
   int count[2];             // points of the grid, along its two sides
-  bool is_added;            // the light is added up by the processor, and not drawn
+  bool is_added;            // the CPU adds the light up; it is not drawn
   bool is_level;            // the bed is level at depth, whatever the picture shows
   double sun_dir[3];        // towards the sun, unit length, the third > 0: out of the water
   double index;             // of the water
@@ -63,7 +63,7 @@ typedef struct water_caustics
 // Plans the grid and the texture.
 //
 // Returns false when there is no light to gather: no sun, an eye that is in the water or under the
-// plane, nothing under the plane, or a camera without places on it; then the output is unchanged.
+// plane, nothing under the plane, or a camera without places on it. Then the output is unchanged.
 bool water_caustics_plan(
   const water_plan* plan, const water_caustics_input* input, water_caustics* caustics);
 

@@ -36,19 +36,20 @@ typedef struct water_chunk_link
 // starts   cells + 1: where each cell's corners begin in the list, and where the last one's end
 // corners  points
 // most     cells of a chunk, >= 1
-// begins   of each chunk its first cell, and cells at the end: room for all, as a first call says
-//          with NULL
+// begins   the first cell of each chunk, and cells at the end; NULL: the call only returns the
+//          number of chunks
 //
 // Returns the number of chunks.
 size_t water_chunks_split(
   const int64_t* starts, const int64_t* corners, size_t cells, size_t most, int64_t* begins);
 
-// Finds the links. Of a point of several chunks, those that follow each other have one.
+// Finds the links. If several chunks share a point, each of them is linked to the next one that has
+// it, not to all others.
 //
 // begins  of so many chunks
 // last    one for each point: memory to work with
 // seen    one for each chunk: likewise
-// links   room for all, as a first call says with NULL
+// links   written; NULL: the call only returns their number
 //
 // Returns the number of links.
 size_t water_chunks_link(const int64_t* starts, const int64_t* corners, const int64_t* begins,
@@ -57,8 +58,9 @@ size_t water_chunks_link(const int64_t* starts, const int64_t* corners, const in
 // Lists the points of each chunk, each once.
 //
 // last    one for each point: memory to work with
-// ends    chunks + 1: where the points of each chunk begin in the list, and where the last one's
-// end listed  room for all, as a first call says with NULL
+// ends    chunks + 1: where the points of each chunk begin in the list, and where
+//         the last one's end
+// listed  the list, written; NULL: the call only returns the number of points
 //
 // Returns the number of points in the list, which must be below 2^31.
 size_t water_chunks_list(const int64_t* starts, const int64_t* corners, const int64_t* begins,

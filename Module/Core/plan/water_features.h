@@ -356,55 +356,57 @@ typedef struct water_feature_texture
   bool has_sky_view; // water_sky_view.h
 } water_feature_texture;
 
-// The same with the reflection texture that it looks up.
+// Adds the features that a water's reflection texture needs.
 water_feature_set water_features_with_texture(
   water_feature_set features, const water_feature_texture* texture);
 
-// The same for a user's mesh that is drawn as it is: not if waves displace it, because these start
-// from the plane.
+// Adds the feature of a user's mesh that is drawn as it is: not if waves displace it, because these
+// start from the plane.
 water_feature_set water_features_with_mesh(water_feature_set features);
 
-// The same for such a mesh that is not flat: reflections are looked up along rays, as on waves.
+// Adds the features of such a mesh that is not flat: reflections are looked up along rays, as on
+// waves.
 water_feature_set water_features_with_slopes(water_feature_set features, water_lookup_kind lookup);
 
-// The same for a mesh whose current carries the waves; without waves, or where they displace it,
-// there is nothing to carry.
+// Adds the feature of a mesh whose current carries the waves. It has no effect without waves, or if
+// they displace the mesh.
 water_feature_set water_features_with_flow(water_feature_set features);
 
-// The same for a mesh whose data say how much matter clear water carries: there is a way through it
-// for the matter to take light from.
+// Adds the feature of a mesh whose data give the concentration of matter in the water. Only clear
+// water has it: matter absorbs light only where light passes through the water.
 water_feature_set water_features_with_matter(water_feature_set features);
 
-// The same for a mesh whose data say how much foam there is on water with foam.
+// Adds the feature of a mesh whose data give the cover of foam. Only water with foam has it.
 water_feature_set water_features_with_foam_data(water_feature_set features);
 
-// The same for a mesh that is cut at the shore while it is drawn.
+// Adds the feature of a mesh that is cut at the shore while it is drawn.
 water_feature_set water_features_with_shore(water_feature_set features);
 
-// The same for a window of several samples a pixel.
+// Adds the feature that a window with several samples per pixel needs.
 water_feature_set water_features_with_samples(water_feature_set features);
 
-// The same for water that hulls float in.
+// Adds the feature of water in which hulls float.
 water_feature_set water_features_with_hulls(water_feature_set features);
 
-// The same for a user's mesh whose surface is in a buffer; not for what has no vertex heights.
+// Adds the feature of a user's mesh whose surface is in a buffer; not without heights of vertices.
 water_feature_set water_features_with_buffer(water_feature_set features);
 
-// The same for clear water with ground under all of it.
+// Adds the feature of clear water with ground under all of it.
 water_feature_set water_features_with_ground(water_feature_set features);
 
-// The same for a camera behind a dome port, through which water is seen that is clear.
+// Adds the feature of a camera behind a dome port. Only clear water has it.
 water_feature_set water_features_with_port(water_feature_set features);
 
-// The same where hardware executes the shader. Several rays a pixel are too slow there, unless
-// there is a peel, which is slower still.
+// Changes the features for a shader that a GPU executes. Several rays per pixel are too slow there,
+// unless there is a peel, which is slower still.
 water_feature_set water_features_on_hardware(water_feature_set features);
 
-// The same in the mirrored view of another water: the background, and the mean of all waves.
+// The features of a water in the mirrored view of another one: it reflects the background, with the
+// mean of all waves.
 water_feature_set water_features_secondary(const water_feature_look* look);
 
-// The same with a secondary view to look up (water_secondary.h): in place of the background, the
-// scene.
+// The features of such a water with a secondary view (water_secondary.h): it reflects the scene in
+// place of the background.
 water_feature_set water_features_secondary_view(const water_feature_look* look);
 
 #ifdef __cplusplus

@@ -79,8 +79,8 @@ void water_fit_join(const water_fit* other, water_fit* fit);
 // 1000 pixels per radian; the tilt explains less than half of the heights' mean square, as with
 // waves; or the tilt is steeper than 30 degrees, which water never is.
 //
-// Returns WATER_OK or WATER_BAD_SURFACE (no area, or so large that squares overflow); then *plane
-// is unchanged.
+// Returns WATER_OK or WATER_BAD_SURFACE (no area, or so large that squares overflow). On an error,
+// *plane is unchanged.
 water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane);
 
 // Largest distance at which the planes of two parts of a surface are treated as one plane.

@@ -34,7 +34,7 @@ typedef struct water_flatness
 // unit           normalised plane of the water
 // mesh_to_world  affine
 //
-// Returns false when the matrix is another one or not finite; then the height is unchanged.
+// Returns false when the matrix is another one or not finite. Then the height is unchanged.
 bool water_flatness_heights(
   const water_plane* unit, const double mesh_to_world[16], double height[4]);
 

@@ -3,10 +3,11 @@
 // them: rows across the view, dense near the eye, each from one border of the view to the other.
 //
 // The part in view is a convex polygon: the sheet cut by the planes of the view, which are moved
-// out by as far as waves can move a point. Rows run across the direction in which the view goes
-// away from the eye; they stand apart by the square root of their distance, which is what a chord
-// of a wave may have for an error of so many pixels. A row passes through every corner of the
-// polygon, so that the grid covers all of it.
+// out by as far as waves can move a point. Rows run across the horizontal direction of view. The
+// distance between rows grows with the square root of their distance from the eye: the straight
+// line between two rows misses a wave by the square of their distance, so that this error is the
+// same number of pixels everywhere. A row passes through every corner of the polygon, so that the
+// grid covers all of it.
 #ifndef water_grid_h
 #define water_grid_h
 
@@ -35,8 +36,8 @@ typedef struct water_grid_view
 // plane   of any scale
 // origin  of the plane's own axes, in world
 //
-// Returns WATER_OK, WATER_BAD_PLANE or WATER_BAD_CAMERA (also: the plane is seen edge-on); then
-// *view is unchanged. An eye on the plane: water_select_level.
+// Returns WATER_OK, WATER_BAD_PLANE or WATER_BAD_CAMERA (also: the plane is seen edge-on). On an
+// error, *view is unchanged. An eye on the plane: water_select_level.
 water_status water_grid_view_make(const water_camera* camera, const water_plane* plane,
   const double origin[3], water_grid_view* view);
 

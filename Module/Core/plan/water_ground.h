@@ -49,8 +49,8 @@ typedef struct water_ground
 // plane   of any scale; its offset does not count
 // bounds  of the scene, in world
 //
-// Returns WATER_OK, WATER_BAD_PLANE_NORMAL, WATER_BAD_PLANE_OFFSET or, for bounds that are not
-// finite or empty, WATER_BAD_SURFACE; then nothing may be added, and there is no ground.
+// Returns WATER_OK, WATER_BAD_PLANE or, for bounds that are not finite or empty, WATER_BAD_SURFACE.
+// On an error, nothing may be added, and there is no ground.
 water_status water_ground_begin(
   const water_plane* plane, const double bounds[6], water_ground* ground);
 

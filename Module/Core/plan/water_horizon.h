@@ -55,9 +55,12 @@ bool water_horizon_make(const water_camera* camera, const water_plane* plane, co
 // (vtkWaterDepthVS.glsl), which would cut it. With t = z / w of a vertex: t < -1 becomes
 // -1 + depths[0] / -t, and t > depths[1] becomes depths[1] + depths[2] (t - depths[1]).
 //
-// Waves that move the surface hide each other, so that what is before the near plane has a depth of
-// its own in the first 2,000th of the range, and what is beyond the far plane in that of the last
-// 50th of the way there. Of flat water none hides another: all of it has the planes' own.
+// Parts of a displaced surface hide each other and need different depths. What is nearer than the
+// near plane gets depths in the first 2,000th of the depth range; what is beyond the far plane gets
+// depths in a small range that ends at WATER_HORIZON_DEPTH and begins in front of the far plane, by
+// a 50th of the range of z / w from the far plane to infinity. No part of flat water hides another:
+// nearer than the near plane it has the near plane's depth, beyond the far plane
+// WATER_HORIZON_DEPTH.
 void water_horizon_depths(const double view_to_clip[16], bool is_displaced, double depths[3]);
 
 // A box around all that an eye sees of an endless surface, for engines that composite the ranks'

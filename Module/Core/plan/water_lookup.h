@@ -41,7 +41,8 @@ void water_lookup_axes(
 // ndc_to_plane  (x, y, 1) in NDC of the eye -> (x, y, w), from origin_xy on; the largest entry is 1
 //               or -1
 //
-// Returns WATER_OK or WATER_BAD_CAMERA (the plane is seen edge-on); then the outputs are unchanged.
+// Returns WATER_OK or WATER_BAD_CAMERA (the plane is seen edge-on). On an error, the outputs are
+// unchanged.
 water_status water_lookup_places(const water_camera* camera, const water_eye* eye,
   const water_plane* plane, const water_axes* axes, double origin_xy[2], double ndc_to_plane[9]);
 
@@ -107,9 +108,8 @@ bool water_lookup_cuts_surface(const water_eye* eye, const double plane_view[4])
 // and how far a ray may be from the reflection texture's depth to have met it, in shares of
 // (z_infinity - depth).
 //
-// tolerance  of a ray that converged on a surface, and of the depths on both sides of a crossing
-// that
-//            is a surface and not a silhouette
+// tolerance  [0]: of a ray that converged on a surface; [1]: the largest difference between the
+//            depths on both sides of a crossing that is a surface and not a silhouette
 // Source: measured, Documentation/decisions/006-lookup.md.
 void water_lookup_depths(const water_camera* mirrored, double* z_infinity, double tolerance[2]);
 
@@ -118,7 +118,7 @@ void water_lookup_depths(const water_camera* mirrored, double* z_infinity, doubl
 //
 // plane_view  in the eye's view space, normal towards the eye
 //
-// Returns WATER_OK or WATER_BAD_CAMERA; then the outputs are not set.
+// Returns WATER_OK or WATER_BAD_CAMERA. On an error, the outputs are not set.
 water_status water_lookup_heights(const water_camera* mirrored, const double plane_view[4],
   double reflection_height[4], double reflection_w[4]);
 
@@ -126,8 +126,8 @@ water_status water_lookup_heights(const water_camera* mirrored, const double pla
 // down.
 double water_lookup_texel(const double dir_to_reflection[12], const int texture_px[2]);
 
-// Where the waterline is of what the reflection texture shows. It has nothing below the water, so a
-// filtered read next to the waterline would mix in what is behind.
+// Locates the waterline of the objects in the reflection texture. The texture has nothing below the
+// water, so a filtered read next to the waterline would mix in what lies behind the object.
 //
 // reflection_height  of water_lookup_heights
 // waterline          what the height over the plane / w gains per texel in x and y, at one depth;

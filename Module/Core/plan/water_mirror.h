@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_mirror.h: the camera mirrored at the plane, the clip at the plane, and the transformations
-// from the scene to the mirrored picture.
+// from the scene to the mirrored view.
 //
 // R is the mirror matrix of the plane (determinant -1), Fx = diag(-1, 1, 1, 1). The mirrored camera
 // is V' = Fx V R, P' = Fx P Fx: V' is a proper rigid view, so triangles keep their winding, and P'
@@ -52,10 +52,11 @@ void water_mirror_reach_add(
 // Moves the far plane.
 void water_mirror_reach_apply(const water_reach* reach, water_camera* mirrored);
 
-// Moves the near plane of a mirrored camera towards it, so that it cuts none of the props over the
-// water whose mirror images come nearer to the eye than they are; the far plane and the picture
-// stay where they are. As VTK's own, it stays beyond a thousandth of the far plane's distance,
-// unless it was nearer. Call it before the others choose and reach.
+// Moves the near plane of a mirrored camera closer to the camera, so that it does not cut props
+// above the water whose mirror images are nearer to the eye than the props. The far plane and the
+// picture do not change. As in VTK, the near plane keeps at least a thousandth of the far plane's
+// distance, unless it was nearer before. Call this before water_select_props and
+// water_mirror_reach_begin.
 //
 // plane  normalised, normal towards the eye
 //
@@ -80,15 +81,16 @@ void water_mirror_pose(
 // margin      how far behind the plane geometry is kept, >= 0
 void water_mirror_clip_view(const double plane_view[4], double margin, double clip_plane_view[4]);
 
-// The same clip in clip space: dot(clip_plane_clip, clip) is the height over the clip.
+// The clip of water_mirror_clip_view in clip space: dot(clip_plane_clip, clip) is the height over
+// the clip.
 //
 // Returns WATER_OK or WATER_BAD_CAMERA (view_to_clip has no inverse).
 water_status water_mirror_clip_clip(
   const double view_to_clip[16], const double clip_plane_view[4], double clip_plane_clip[4]);
 
-// The same clip in the reflection texture's window space: dot(clip_plane_window, (x_px, y_px,
-// depth, 1)) has the sign of the clip for every point in front of the camera; depth in [0, 1]. The
-// largest entry is 1 or -1.
+// The clip of water_mirror_clip_clip in the reflection texture's window space:
+// dot(clip_plane_window, (x_px, y_px, depth, 1)) has the sign of the clip for every point in front
+// of the camera; depth in [0, 1]. The largest entry is 1 or -1.
 void water_mirror_clip_window(
   const double clip_plane_clip[4], const int texture_px[2], double clip_plane_window[4]);
 
@@ -100,16 +102,17 @@ void water_mirror_clip_window(
 // Returns WATER_OK or WATER_BAD_CAMERA (the camera's projection has no inverse).
 water_status water_mirror_clip_plan(const water_plane* plane, double margin, water_plan* plan);
 
-// World to the reflection texture: divide by w: u, v, depth in [0, 1]. Reference of tests for where
-// a point is looked up, and for programs that use the core alone: nothing in the module calls it.
+// World to the reflection texture: divide by w: u, v, depth in [0, 1]. Not used by the module: for
+// tests, and for programs that use the core alone.
 void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_texture[16]);
 
-// The eye's view direction, unit length, and its place in mirrored view space: lights that sit on
-// the camera must keep to the user's one.
+// The eye's view direction (unit length) and position, in mirrored view space: lights attached to
+// the camera must stay at the user's camera, not at the mirrored one.
 void water_mirror_headlight(
   const double plane_view[4], double headlight_dir[3], double headlight_position[3]);
 
-// The same for any eye and any mirrored camera, such as one that is mirrored at two planes.
+// As water_mirror_headlight, for any eye and any mirrored camera, such as one that is mirrored at
+// two planes.
 void water_mirror_headlight_of(const water_eye* eye, const water_camera* mirrored,
   double headlight_dir[3], double headlight_position[3]);
 
@@ -121,9 +124,10 @@ void water_mirror_headlight_of(const water_eye* eye, const water_camera* mirrore
 void water_mirror_reflection_to_eye(const water_camera* camera, const water_eye* eye,
   const double plane_view[4], const double reflection_scale[2], double reflection_ndc_to_eye[9]);
 
-// The same for any eye and any mirrored camera.
+// As water_mirror_reflection_to_eye, for any eye and any mirrored camera.
 //
-// Returns WATER_OK or WATER_BAD_CAMERA (of the mirrored camera); then the matrix is unchanged.
+// Returns WATER_OK or WATER_BAD_CAMERA (of the mirrored camera). On an error, the matrix is
+// unchanged.
 water_status water_mirror_reflection_to(
   const water_camera* camera, const water_camera* mirrored, double reflection_ndc_to_eye[9]);
 

@@ -47,7 +47,7 @@ typedef struct water_rank_view
   double digest;            // of all that must be the same on all ranks; water_ranks_digest_number
   double prop_count;        // of the rank's own props
   double max_texture_px;    // the limit of the rank's GPU
-  double is_software;       // 1: the processor executes GL; 0: a GPU does
+  double is_software;       // 1: the CPU executes GL; 0: a GPU does
   double measured_ms;       // duration of the last view, for a quality that follows times
   double surface_bounds[6]; // of the water on this rank; min > max: it has none
   double has_error;         // 1: the rank cannot lay its water, and says why; 0: it can
@@ -132,10 +132,10 @@ water_scene water_ranks_scene(
 uint64_t water_ranks_digest(uint64_t digest, const double* numbers, size_t count);
 #define WATER_RANKS_DIGEST_BEGIN UINT64_C(14695981039346656037)
 
-// The same of what the user sets of a mirrored view, field by field.
+// Adds the settings of a mirrored view to a digest, field by field.
 uint64_t water_ranks_digest_settings(uint64_t digest, const water_settings* settings);
 
-// The same of waves at one time.
+// Adds waves at one time to a digest.
 uint64_t water_ranks_digest_waves(uint64_t digest, const water_wave_term* terms, size_t term_count);
 
 // A digest as a number that a double holds exactly: its upper 53 bits.
@@ -148,8 +148,9 @@ double water_ranks_digest_number(uint64_t digest);
 // farthest_rank  of water_ranks_view
 bool water_rank_shows_water(int farthest_rank, size_t rank);
 
-// Numbers travel with WATER_RANKS_IS_HERE as the last one of each rank. A communicator that has
-// lost a rank may tell its root so, and still give the others what it has of that rank: nothing.
+// Numbers travel with WATER_RANKS_IS_HERE as the last one of each rank. If a rank is lost, a
+// communicator may report this on its root only. On the other ranks the call then succeeds, but the
+// numbers of the lost rank are the zeros that were there before.
 #define WATER_RANKS_IS_HERE 1.0
 
 // Have all ranks sent theirs? If so, the numbers of each are moved together, without that last one.

@@ -20,13 +20,13 @@ extern "C"
 // which it looks, wherever it is.
 //
 // Returns WATER_OK or WATER_CAMERA_ON_PLANE (the height is smaller than the rounding of the numbers
-// it is made of); then *side is unchanged. Never the wrong side: heights under 48 roundings (2^-53)
-// of the lengths are rejected, those over 96 are accepted.
+// it is made of). On an error, *side is unchanged. Never the wrong side: heights under 48 roundings
+// (2^-53) of the lengths are rejected, those over 96 are accepted.
 water_status water_select_side(const water_eye* eye, const water_plane* plane, water_side* side);
 
-// The plane as an eye that lies exactly on it sees it, where there is nothing to see: from a ten
-// thousandth of the way to its near plane above it, or a thousand of its roundings if that is more.
-// The plane itself for any other eye.
+// An eye exactly on the plane does not see it. For such an eye the plane is lowered until the eye
+// is above it by a ten thousandth of the distance to the eye's near plane, or by 1000 times the
+// rounding error of the eye's height if that is more. For any other eye, level is the plane itself.
 //
 // plane  normalised
 // level  the same, or moved along its normal

@@ -23,8 +23,8 @@ typedef struct water_share
   water_settings settings;
 } water_share;
 
-// Would both have the same mirrored view, and look the same with it? Never for two clear waters if
-// the eye may be inside one of them: it would not be known which.
+// Can both use one mirrored view without a change of the picture? Not if one of them is clear and
+// the eye may be under water: it would be unknown in which of the two waters the eye is.
 //
 // eye_position  in world
 bool water_share_can(

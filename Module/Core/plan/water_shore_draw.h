@@ -34,7 +34,7 @@ typedef enum water_shore_cut_setting
 typedef struct water_shore_renderer
 {
   water_shore_cut_setting setting;
-  bool is_software;    // GL is executed by the processor
+  bool is_software;    // the CPU executes GL
   bool clips_well;     // its clip distances are right
   bool is_plain_draw;  // triangles, by VTK's own shaders of polygons
   bool is_of_the_mesh; // what is drawn comes from the filter that knows the mesh
@@ -57,14 +57,15 @@ typedef struct water_shore_facts
 // Does the mesh as it is drawn show the same as the cut mesh?
 bool water_shore_draw_is_exact(const water_shore_facts* facts);
 
-// Is the whole mesh drawn for the largest of several waters? The others have copies of their own
-// cells. If most of the wet cells are theirs, so has the largest.
+// Is the whole mesh drawn for the largest of several waters? Each other water is drawn from a copy
+// of its own cells. So is the largest one, unless it has more than half of the wet cells.
 //
 // own_cells, wet_cells  with water of the largest, and of all
 bool water_shore_draw_is_whole(size_t own_cells, size_t wet_cells);
 
-// The places of a mesh's vertices: at the level, and those of land all in one place, so that what
-// only looks at points sees the water alone.
+// Computes the places of a mesh's vertices. Wet vertices lie at the water's level. All vertices on
+// land lie at one place, so that code that reads only the points, such as a computation of bounds,
+// finds only the water.
 //
 // points  of the mesh: rows of 3
 // levels  in their unit

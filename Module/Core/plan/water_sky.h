@@ -66,7 +66,7 @@ const water_sky_map* water_sky_of(const water_plan* plan, bool has_environment);
 // Has that sky one colour in all directions?
 bool water_sky_is_one_color(const water_plan* plan, bool has_environment);
 
-// The same features with the WATER_FEATURE_SKY_* of a shader that looks a sky up.
+// Adds the WATER_FEATURE_SKY_* of a shader that looks a sky up to the features.
 //
 // has_environment  the water has a picture of its own
 // is_below         the eye is under it

@@ -29,7 +29,7 @@ extern "C"
 void water_sky_view_camera(const double at[3], const double ahead[3], const double normal[3],
   double far, water_camera* camera);
 
-// How far all else reaches that a mirrored view shows.
+// How far everything in a mirrored view reaches, except what may be the sky.
 //
 // plane    normalised, normal towards the eye
 // reasons  of the props in the mirrored view

@@ -31,9 +31,9 @@ void water_sun_view_camera(const water_camera* eye, const double view_to_world[1
   const water_plane* plane, const double to_sun[3], double bottom, double top, double nearest_w,
   water_camera* camera, double* depth);
 
-// Fills what a plan knows of the sun view: camera, size, clip, and the reason for every prop. What
-// has no bounds casts no shadow, nor what is around the eye and may be the sky. Where nothing casts
-// one, the decision is WATER_NO_REFLECT_OUT_OF_VIEW.
+// Fills what a plan knows of the sun view: camera, size, clip, and the reason for every prop. Props
+// without bounds cast no shadow. Neither do props that surround the eye and may be the sky. If no
+// prop casts a shadow, the decision is WATER_NO_REFLECT_OUT_OF_VIEW.
 //
 // plane   normal towards the eye, which is over the water
 // margin  how far the surface lies below it, >= 0

@@ -55,10 +55,10 @@ void water_target_reach(const water_camera* eye, double slope_max, double box[4]
 void water_target_rect(
   const double box[4], const double reflection_scale[2], const int texture_px[2], int rect_px[4]);
 
-// Size of the eye's frustum's surroundings that waves may look up, over the eye's: waves of slope s
-// turn reflected rays by up to 2 s. In [1, 1.25]: more costs more than it gives. 1 for a parallel
-// eye, whose rays cross so much of the reflection texture that a march over more of it is coarser
-// than it gains.
+// Factor by which the mirrored frustum is wider than the eye's, so that reflected rays find what
+// lies beside the picture: waves of slope s turn them by up to 2 s. In [1, 1.25]: a wider band
+// costs more than it gains. 1 for a parallel eye: its rays cross so much of the reflection texture
+// that the march over a wider one would lose more by its coarser steps than it gains.
 double water_target_guard_band(const water_camera* camera, double slope_rms);
 
 // Widens a reflection texture by a guard band without a change of the size of its texels.
@@ -69,7 +69,7 @@ double water_target_guard_band(const water_camera* camera, double slope_rms);
 void water_target_widen(
   const double guard_band[2], int max_texture_px, int texture_px[2], double reflection_scale[2]);
 
-// The same bands of a tile of a picture: its margins are as wide as those of the whole picture.
+// The guard bands of a tile of a picture. Its margins are as wide as those of the whole picture.
 //
 // guard_band  of the whole picture
 // tile_scale  as in water_scene

@@ -17,9 +17,9 @@ enum
   WATER_VOLUME_PLANES_COUNT = 7
 };
 
-// The half-spaces that have all that the reflection texture shows of a box in common: its six
-// sides, and the side of the water that is kept. A point of NDC (x, y, z, 1) lies in one when its
-// dot product is >= 0.
+// The half-spaces whose intersection is the part of a box that the reflection texture shows: those
+// of the box's six sides, and the kept side of the water. A point of NDC (x, y, z, 1) lies in one
+// when its dot product is >= 0.
 //
 // bounds        of the box, in its own space
 // box_to_world  affine, any scale and shear

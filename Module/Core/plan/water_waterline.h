@@ -71,7 +71,7 @@ size_t water_waterline_near(const double* places, size_t count, double reach, si
 //
 // corners  numbers of its corners in places, x, y and height of each
 //
-// Returns false when the water does not cut it; then the piece is unchanged.
+// Returns false when the water does not cut it. Then the piece is unchanged.
 bool water_waterline_cut(
   const size_t corners[3], const double* places, water_waterline_piece* piece);
 
@@ -85,9 +85,10 @@ bool water_waterline_cut(
 bool water_waterline_close(
   water_waterline_piece* pieces, size_t count, water_waterline_end* ends, size_t* open_piece);
 
-// Rows across the longer side of all that is inside. In the table a row has as many texels as the
-// longest one: the first has the number of the others in its first channel; these have an edge each
-// that passes the row, x, y of its begin and of its end, from the middle on.
+// Rows across the longer side of all that is inside. In the table, all rows have as many texels as
+// the longest one. The first channel of a row's first texel is the number of edges that cross the
+// row. Each of the next texels has one such edge: x and y of its start, then of its end, relative
+// to the middle.
 typedef struct water_waterline_rows
 {
   double middle[2]; // of all

@@ -85,7 +85,7 @@ water_status water_quality_error(int step, const water_roughness* roughness, dou
 // target_px  finite, > 0
 // step       in: the one in use, or WATER_QUALITY_NO_STEP; out: the one to use
 //
-// Returns WATER_OK, WATER_BAD_TARGET_ERROR or WATER_BAD_ROUGHNESS; then *step is unchanged.
+// Returns WATER_OK, WATER_BAD_TARGET_ERROR or WATER_BAD_ROUGHNESS. On an error, *step is unchanged.
 water_status water_quality_for_error(double target_px, const water_roughness* roughness, int* step);
 
 // State of a time budget from frame to frame. Begin with zeros and any step; the caller may read
@@ -121,9 +121,10 @@ typedef struct water_quality_state
 // late. A finer step that had to be undone within 1000 frames is then tried half as often, down to
 // a 64th; 1000 frames without a change cancel one such failure.
 //
-// The model is time = a + b scale^2. Its fixed share a / (a + b) is fitted to the means before and
-// after each change of at least 16 and of 32 frames, half old and half new; it starts at 0, which
-// expects the most of a finer step.
+// The model is time = a + b scale^2. Its fixed share a / (a + b) starts at 0, which predicts the
+// longest time for a finer step. After each change of step it is computed from two means: of at
+// least 16 frames before the change, and of 32 frames after it. The share in use then becomes the
+// mean of its old value and this one.
 //
 // finest_step  no finer one than this, e.g. that of a target error; beyond the ends of the ladder
 //              it counts as the end
@@ -131,7 +132,7 @@ typedef struct water_quality_state
 // measured_ms  of the frame that was drawn with state->step; not finite or <= 0: not known, and
 //              nothing is learned of it
 //
-// Returns WATER_OK or WATER_BAD_TIME_BUDGET; then the state is unchanged.
+// Returns WATER_OK or WATER_BAD_TIME_BUDGET. On an error, the state is unchanged.
 water_status water_quality_for_budget(
   water_quality_state* state, int finest_step, double budget_ms, double measured_ms);
 
@@ -189,7 +190,7 @@ typedef struct water_ray_quality
 
 // That of a name: fast, default, high, reference.
 //
-// Returns WATER_OK or WATER_BAD_QUALITY_NAME; then the quality is unchanged.
+// Returns WATER_OK or WATER_BAD_QUALITY_NAME. On an error, the quality is unchanged.
 // Source: measured, Documentation/decisions/006-lookup.md.
 water_status water_quality_of_name(const char* name, water_ray_quality* quality);
 
@@ -205,7 +206,7 @@ void water_quality_jitter(unsigned i, double place_px[2]);
 // budget_ms  finite, > 0
 // shares_ms  count of them; their sum is the budget, or 0 if no water is seen
 //
-// Returns WATER_OK or WATER_BAD_TIME_BUDGET; then the shares are unchanged.
+// Returns WATER_OK or WATER_BAD_TIME_BUDGET. On an error, the shares are unchanged.
 water_status water_quality_share(
   const double* areas_px, size_t count, double budget_ms, double* shares_ms);
 

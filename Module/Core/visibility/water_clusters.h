@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_clusters.h: large meshes in clusters, so that the mirrored view draws only those that the
-// water can show. A cluster is a run of a mesh's
-// triangles in the order they are drawn in: what is left is drawn in that order, too, and covers
-// every pixel as before. So it does from the last triangle to the first, if of equally far ones the
-// first drawn stays: a mesh that runs towards the eye is drawn that way, and what is near hides
-// what is far before that is shaded. Where triangles are expensive, those of the remaining clusters
-// are tested individually (water_triangle_cull.h).
+// water_clusters.h: splits large meshes into clusters, so that the mirrored view draws only those
+// that the water can show. A cluster is a run of consecutive triangles. The remaining clusters are
+// drawn in the mesh's order, so every pixel is as before. It is also as before if they are drawn
+// from the last triangle to the first and, of equally distant triangles, the first drawn one stays.
+// A mesh that runs towards the eye is drawn in this way: near triangles then hide far ones before
+// those are shaded. Where triangles are expensive, those of the remaining clusters are tested
+// individually (water_triangle_cull.h).
 #ifndef water_clusters_h
 #define water_clusters_h
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_runs.h: large meshes on a GPU: runs of their triangles, so that the mirrored view draws
-// only those that the water can show. A GPU draws a triangle sooner than the processor looks at it.
-// So the clusters are large, lie in groups, and what is left of them is a few long runs, drawn in
-// the mesh's order from the index buffer that is there: nothing is copied, and every pixel is as
-// before. Where the processor draws, water_clusters.h is used in its place.
+// only those that the water can show. A GPU draws a triangle sooner than the CPU looks at it. So
+// the clusters are large, lie in groups, and what is left of them is a few long runs, drawn in the
+// mesh's order from the index buffer that is there: nothing is copied, and every pixel is as
+// before. With software rendering, water_clusters.h is used in its place.
 #ifndef water_runs_h
 #define water_runs_h
 
@@ -63,8 +63,8 @@ bool water_runs_add(const water_runs_mesh* mesh, size_t first, const uint32_t* i
 // Fills the boxes of the groups from those of the leaves.
 void water_runs_end(const water_runs_mesh* mesh);
 
-// The runs that may change a pixel, in the mesh's order. Gaps of up to WATER_RUNS_GAP triangles are
-// drawn where that changes nothing.
+// The runs that may change a pixel, in the mesh's order. Gaps of up to WATER_RUNS_GAP triangles
+// between them are drawn, too, where that changes nothing.
 //
 // view    of the whole drawn part of the reflection texture (water_clusters_view_make)
 // places  room for leaf_count

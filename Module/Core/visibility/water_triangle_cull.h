@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_triangle_cull.h: triangles that change no
-// pixel of the reflection texture that is looked up. Of a large mesh most are such: they lie
-// between the middles of pixels, under the water, where hidden water would show them, or behind
-// what is drawn before them. In software each costs as much as several pixels.
+// water_triangle_cull.h: finds triangles that change no pixel of the reflection texture that is
+// looked up. Most triangles of a large mesh are such: they lie between the centres of pixels, under
+// the water, where only hidden water would show them, or behind what is drawn before them. With
+// software rendering each costs as much as several pixels.
 //
-// What lies behind is found as in Greene, Kass, Miller 1993, "Hierarchical Z-Buffer Visibility", of
-// one level: each drawn triangle leaves the largest of its depths at the pixels that it covers
-// however its corners are rounded, and a triangle goes if all of its pixels have smaller ones.
+// Hidden triangles are found as in Greene, Kass, Miller 1993, "Hierarchical Z-Buffer Visibility",
+// with one level. Each drawn triangle stores its largest depth at the pixels that it covers however
+// its corners are rounded. A triangle is left out if the depths at all of its pixels are smaller.
 #ifndef water_triangle_cull_h
 #define water_triangle_cull_h
 

@@ -28,8 +28,8 @@ typedef struct water_visibility
                     // texture mapping")
 } water_visibility;
 
-// Which pixels of the eye's picture, flipped in x as the reflection texture is, to go through for a
-// cell: size of them from floor(first + step * cell) on; as many as look up any pixel of the cell.
+// The pixels of the eye's picture (flipped in x, as the reflection texture is) that may look up a
+// pixel of a cell: along each axis, size pixels from floor(first + step * cell) on.
 typedef struct water_visibility_walk
 {
   double first[2];

@@ -53,7 +53,7 @@ double water_cascades_natural_length(const water_sea* sea, size_t count);
 // first  its band is not read
 // count  1 to WATER_CASCADES_MAX
 //
-// Returns WATER_OK, WATER_BAD_CASCADES, or as water_tile_check; then made is unchanged.
+// Returns WATER_OK, WATER_BAD_CASCADES, or as water_tile_check. On an error, made is unchanged.
 water_status water_cascades_make(
   const water_tile* first, const water_sea* sea, size_t count, water_cascades* made);
 

@@ -47,7 +47,7 @@ typedef struct water_old_foam
 // cover   in [0, 1]; without waves on the tile, and for 0 and 1, there is no old foam
 // life_s  in [0, WATER_FOAM_LIFE_MAX]; 0: no old foam
 //
-// Returns WATER_OK, WATER_BAD_LIFE_TIME, or as water_tile_check; then made is unchanged.
+// Returns WATER_OK, WATER_BAD_LIFE_TIME, or as water_tile_check. On an error, made is unchanged.
 water_status water_old_foam_make(
   const water_sea* sea, const water_tile* first, double cover, double life_s, water_old_foam* made);
 

@@ -96,16 +96,16 @@ double water_sea_density(const water_sea* sea, double kx, double ky);
 //
 // k_low, k_high  rad/m, 0 <= k_low < k_high
 //
-// Returns WATER_OK or WATER_BAD_WAVENUMBER; then the outputs are unchanged. Error below 1e-5 of the
-// value, by Gauss's rule of 4 points on 512 panels of ln k.
-// Reference of tests: nothing in the module calls it.
+// Returns WATER_OK or WATER_BAD_WAVENUMBER. On an error, the outputs are unchanged. Error below
+// 1e-5 of the value, by Gauss's rule of 4 points on 512 panels of ln k.
+// Used only by tests, as a reference.
 water_status water_sea_moments(
   const water_sea* sea, double k_low, double k_high, double* height, double* slope);
 
 // The slope's variance along the plane's two axes; the two together are that of water_sea_moments.
 // The directions by the trapezoid rule of 128 points, once a panel.
 //
-// Returns WATER_OK or WATER_BAD_WAVENUMBER; then variance is unchanged.
+// Returns WATER_OK or WATER_BAD_WAVENUMBER. On an error, variance is unchanged.
 water_status water_sea_slopes(
   const water_sea* sea, double k_low, double k_high, double variance[2]);
 

@@ -61,12 +61,13 @@ bool water_tile_is_same(const water_tile* a, const water_tile* b);
 //
 // amplitudes  2 * size * size numbers, written
 //
-// Returns as water_tile_check; then amplitudes are unchanged.
+// Returns as water_tile_check. On an error, amplitudes are unchanged.
 water_status water_tile_amplitudes(
   const water_tile* tile, const water_sea* sea, double* amplitudes);
 
-// How fast a wave turns that the tile holds i and j times along its sides, in turns a second; with
-// a period in turns a period, the nearest whole number from 1. Of a checked tile and sea.
+// Frequency, in turns per second, of the wave with i and j wavelengths along the tile's sides. If
+// the tile has a period, the frequency is in turns per period, rounded to a whole number of at
+// least 1. Of a checked tile and sea.
 double water_tile_frequency(const water_tile* tile, const water_sea* sea, size_t i, size_t j);
 
 // The time that such frequencies multiply: s, or periods since the last whole one, in (-1, 1).
@@ -77,7 +78,7 @@ double water_tile_clock(const water_tile* tile, double time);
 //
 // height  2 * size * size numbers, written; not amplitudes
 //
-// Returns as water_tile_check, or WATER_BAD_TIME; then height is unchanged.
+// Returns as water_tile_check, or WATER_BAD_TIME. On an error, height is unchanged.
 water_status water_tile_at(const water_tile* tile, const water_sea* sea, const double* amplitudes,
   double time, double* height);
 
@@ -105,7 +106,7 @@ double water_tile_natural_length(const water_sea* sea);
 // Slope variances along the plane's axes by the spectrum's integral: of the waves that the tile
 // holds, from k_low up to k_high or its Nyquist wave number pi size / length; and of the shorter
 // ones up to 370 rad/m (water_sea_moments), 0 for a tile that is finer than that.
-// Reference of tests: nothing in the module calls it.
+// Used only by tests, as a reference.
 void water_tile_slopes(
   const water_tile* tile, const water_sea* sea, double held[2], double left_out[2]);
 
@@ -115,14 +116,14 @@ double water_tile_slope_rms(const double variance[2], double other_rms);
 // Where in the tile a place is, as shares of its side in [0, 1). In doubles, so that it is exact
 // far from the origin, too.
 //
-// Returns WATER_OK or WATER_BAD_POINT (not finite); then share is unchanged.
+// Returns WATER_OK or WATER_BAD_POINT (not finite). On an error, share is unchanged.
 water_status water_tile_place(const water_tile* tile, double x, double y, double share[2]);
 
 // A field at a place, bilinear.
 //
 // values  size * size numbers, the column fastest
 //
-// Returns as water_tile_place; then value is unchanged.
+// Returns as water_tile_place. On an error, value is unchanged.
 water_status water_tile_sample(
   const water_tile* tile, const double* values, double x, double y, double* value);
 

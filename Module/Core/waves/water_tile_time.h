@@ -22,7 +22,7 @@ extern "C"
 //
 // frequencies  (size / 2)^2 numbers, written
 //
-// Returns as water_tile_check; then frequencies are unchanged.
+// Returns as water_tile_check. On an error, frequencies are unchanged.
 water_status water_tile_frequencies(
   const water_tile* tile, const water_sea* sea, double* frequencies);
 

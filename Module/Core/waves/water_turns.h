@@ -32,7 +32,7 @@ void water_turns_frequency(double frequency, int exponent, uint32_t words[3]);
 // A time as a whole number of units; the first word is the lower one. Phases of times before 0 are
 // those of -time, negative.
 //
-// Returns false for 2^63 units and more, where phases would be wrong; then words are unchanged.
+// Returns false for 2^63 units and more, where phases would be wrong. Then words are unchanged.
 // That is |time| >= 2^37 / largest, up to a factor of 2.
 bool water_turns_time(double time, int exponent, uint32_t words[2]);
 

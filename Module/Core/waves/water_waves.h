@@ -85,9 +85,9 @@ typedef struct water_wave_row // a wave for the shader
 // depth  m, > 0; infinity is deep water
 // omega  rad/s
 //
-// Returns WATER_OK, WATER_BAD_WAVENUMBER or WATER_BAD_DEPTH; then omega is unchanged.
+// Returns WATER_OK, WATER_BAD_WAVENUMBER or WATER_BAD_DEPTH. On an error, omega is unchanged.
 // Source: Airy 1845, "Tides and Waves".
-// Reference of tests: nothing in the module calls it.
+// Used only by tests, as a reference.
 water_status water_waves_omega(double k, double depth, double* omega);
 
 // The inverse: the wave number of an angular frequency, within 1e-14 of itself. Newton's method on
@@ -95,7 +95,7 @@ water_status water_waves_omega(double k, double depth, double* omega);
 // and four leave only rounding.
 //
 // Returns WATER_OK, WATER_BAD_FREQUENCY (also one whose wave number is no finite double) or
-// WATER_BAD_DEPTH; then k is unchanged.
+// WATER_BAD_DEPTH. On an error, k is unchanged.
 // Source: Guo 2002, "Simple and Explicit Solution of Wave Dispersion Equation".
 water_status water_waves_wavenumber(double omega, double depth, double* k);
 
@@ -112,13 +112,13 @@ water_status water_waves_check(const water_wave* waves, size_t count, size_t* ba
 // terms    count of them, written
 // bad_index  as above, unless the waves are good
 //
-// Returns WATER_OK, WATER_BAD_DEPTH, WATER_BAD_TIME, or as water_waves_check; then terms are
-// unchanged.
+// Returns WATER_OK, WATER_BAD_DEPTH, WATER_BAD_TIME, or as water_waves_check. On an error, terms
+// are unchanged.
 water_status water_waves_at(const water_wave* waves, size_t count, double depth, double time,
   water_wave_term* terms, size_t* bad_index);
 
 // The surface's point that is at (x, y) when the water is at rest. x and y are finite.
-// Reference of tests: nothing in the module calls it.
+// Used only by tests, as a reference.
 void water_waves_point(
   const water_wave_term* terms, size_t count, double x, double y, water_wave_point* point);
 
@@ -132,8 +132,8 @@ void water_waves_point(
 //
 // rest  the point at rest, x and y
 //
-// Returns WATER_OK or WATER_BAD_POINT (not finite, or too far for its phase); then rest and point
-// are unchanged.
+// Returns WATER_OK or WATER_BAD_POINT (not finite, or too far for its phase). On an error, rest and
+// point are unchanged.
 water_status water_waves_find(const water_wave_term* terms, size_t count, double x, double y,
   double rest[2], water_wave_point* point);
 

@@ -20,14 +20,16 @@ extern "C"
 //
 // wind_speed  m/s at 10 m, in [0.1, 100]; measured from 2 to 18
 //
-// Returns WATER_OK or WATER_BAD_WIND_SPEED; then cover is unchanged.
+// Returns WATER_OK or WATER_BAD_WIND_SPEED. On an error, cover is unchanged.
 // Source: Monahan and O'Muircheartaigh 1980, "Optimal Power-Law Description of Oceanic Whitecap
 // Coverage Dependence on Wind Speed".
 water_status water_whitecap_cover(double wind_speed, double* cover);
 
-// The Jacobian, to first order (1 and the sum of the two derivatives), under which a sea is white,
-// so that it is on a share of its area at rest: 1 - z s, s^2 the sum of the variances. To first
-// order it is Gaussian, and the variances of what a pixel resolves and of the rest add up.
+// The threshold of the Jacobian, to first order (1 plus the sum of the two derivatives), below
+// which the sea is white. It is chosen so that a share `cover` of the sea's area at rest is white:
+// 1 - z s, where a standard normal number exceeds z with the probability `cover`, and s^2 is the
+// sum of the variances and of the square of water_whitecap_softness. To first order the Jacobian is
+// Gaussian, and the variances of what a pixel resolves and of the rest add up.
 //
 // cover     in [0, 1]: nothing is white at 0, all at 1
 // variance  of the slopes along two axes at right angles, one of them the wind's; both >= 0

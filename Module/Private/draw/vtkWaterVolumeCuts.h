@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterVolumeCuts: cuts volumes that the processor casts at the water while an object of this
+// vtkWaterVolumeCuts: cuts volumes that the CPU casts at the water while an object of this
 // class lives. It hands VTK a finished picture, which no shader can cut; a clipping plane does.
 #ifndef vtkWaterVolumeCuts_h
 #define vtkWaterVolumeCuts_h

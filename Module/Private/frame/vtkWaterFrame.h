@@ -77,7 +77,7 @@ public:
   // What the water is shaded with.
   vtkWaterSurfaceShader::Inputs GetInputs(vtkWaterSource& water);
 
-  // Does the processor execute GL, and no GPU?
+  // Does the CPU execute GL, and no GPU?
   bool IsSoftware();
 
   // Does the driver cut by clip distances as it should? The water is told if not, for debugging.

@@ -21,7 +21,7 @@ class vtkWaterPropRecords;
 struct vtkWaterFrameHints
 {
   bool HasSceneDepth = false; // it shows all that can hide them
-  bool IsSoftware = false;    // GL is executed by the processor
+  bool IsSoftware = false;    // GL is executed by the CPU
   bool MayToneMap = false;    // a pass follows that may do it
   double BudgetMs = 0.0;      // of this frame, for a quality that follows a budget
   const vtkWaterKeptBackground* Background = nullptr; // instead of the renderer's, if it is kept

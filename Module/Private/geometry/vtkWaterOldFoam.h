@@ -3,7 +3,7 @@
 //
 // It changes once in a step of earlier times, not in every picture. What broke at an earlier time
 // is kept while it leaves foam, and is the same whether it was kept or is computed anew. The
-// processor computes it for both kinds of renderer: a transform of at most 256 x 256 points a step.
+// CPU computes it for both kinds of renderer: a transform of at most 256 x 256 points a step.
 // What has no memory throws std::bad_alloc, and is tried anew when it is asked for again.
 #ifndef vtkWaterOldFoam_h
 #define vtkWaterOldFoam_h

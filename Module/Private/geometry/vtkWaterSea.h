@@ -2,7 +2,7 @@
 // vtkWaterSea: a wind sea at one time: its tiles, heights and slopes at places, and a texture.
 //
 // What somebody asks for is computed then, once for a time. A GPU computes the texture by itself
-// (vtkWaterSlopePasses); heights and slopes for the processor, and the texture where GL is software
+// (vtkWaterSlopePasses); heights and slopes for the CPU, and the texture where GL is software
 // or where the GPU cannot, by vtkWaterSeaTile. What has no memory throws std::bad_alloc, and is
 // tried anew when it is asked for again. See Documentation/decisions/014-wind-sea.md.
 #ifndef vtkWaterSea_h
@@ -57,7 +57,7 @@ public:
     return this->OldFoam.Upload(window, foam, sea, time);
   }
 
-  // Why the processor made the last texture though there is a GPU; nullptr: it did not.
+  // Why the CPU made the last texture though there is a GPU; nullptr: it did not.
   const char* GetDetour() const { return this->Detour; }
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSeaTile: a tile of a wind sea at one time on the processor.
+// vtkWaterSeaTile: a tile of a wind sea at one time on the CPU.
 //
 // What somebody asks for is computed then, once for a time. What has no memory throws
 // std::bad_alloc, and is tried anew when it is asked for again.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterTransform: the FFT of a square on the processor, by VTK's kissfft and vtkSMPTools. Its
+// vtkWaterTransform: the FFT of a square on the CPU, by VTK's kissfft and vtkSMPTools. Its
 // plan is made once for a size.
 #ifndef vtkWaterTransform_h
 #define vtkWaterTransform_h

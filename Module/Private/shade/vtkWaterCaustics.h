@@ -65,7 +65,7 @@ private:
     vtkOpenGLRenderWindow* window, const water_caustics& caustics, const Picture& picture);
   bool DrawPhotons(
     vtkOpenGLRenderWindow* window, const water_caustics& caustics, const Parameters& setParameters);
-  bool AddLight(const water_caustics& caustics); // on the processor
+  bool AddLight(const water_caustics& caustics); // on the CPU
   bool DrawLight(vtkOpenGLRenderWindow* window, const water_caustics& caustics);
 
   vtkSmartPointer<vtkTextureObject> Photons[2]; // places and weights; shapes

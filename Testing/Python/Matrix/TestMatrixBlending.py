@@ -181,7 +181,7 @@ row.cell("volume of vtkSmartVolumeMapper", cloud(1.6, mapper_class=vtkSmartVolum
 SQUARE = ("A defect of VTK 9.1: it ray-casts some 4:3 windows as if they were square, also without water: 112 pixels "
           "wide instead of 84.")
 for place, height in (("over", 1.6), ("across", 0.3)):
-    name = f"volume that the processor casts, {place} the water"
+    name = f"volume cast on the CPU, {place} the water"
     if mm.VTK_VERSION >= (9, 6):
         row.cell(name, cloud(height, mapper_class=vtkFixedPointVolumeRayCastMapper))
     else:

@@ -231,7 +231,7 @@ def under_a_scene_light(make):
 # VTK 9.1 at times casts rays on the CPU as if every window were square, without water as well
 SQUARE = dict(size=(200, 200))
 FIXED = ("Its rays are computed in 15 bits and rounded to its own pixels, whose rows differ from those of the "
-         "flipped mirrored picture.")
+         "flipped mirrored view.")
 ROUNDED = ("It blends cell by cell and rounds each time to 8 bits; the reflection texture and a window round "
            "differently.")
 OWN_LIGHT = "Its shaders use their own light, at the eye of the current view."
