@@ -109,10 +109,12 @@ def make_water(time):
     look = water.GetWaterProperty()
     look.SetPreset("clear tropical")
     look.SeaOff()  # waves of its own
+    # down to 12 cm: near the eye a pixel shows a centimetre, and what glitters there has the shape of ripples
     for amplitude, wavelength, direction in ((0.035, 5.0, 165.0), (0.016, 2.3, 205.0), (0.010, 1.4, 130.0),
-                                             (0.006, 0.9, 230.0), (0.003, 0.5, 170.0)):
+                                             (0.006, 0.9, 230.0), (0.003, 0.5, 170.0), (0.0011, 0.37, 120.0),
+                                             (0.0008, 0.26, 215.0), (0.00055, 0.18, 160.0), (0.0004, 0.12, 250.0)):
         look.AddWave(amplitude, wavelength, direction)
-    look.SetSlopeVariance(0.002, 0.002)
+    look.SetSlopeVariance(0.0003, 0.0003)
     look.SetFoamDepth(0.25)
     look.ShadowsOn()
     look.SetCaustics(0.8)

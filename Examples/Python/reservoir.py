@@ -84,6 +84,7 @@ def main():
     look.SetDeepColor(0.02, 0.15, 0.22)
     for amplitude, wavelength, direction in ((0.03, 17.0, 20.0), (0.02, 11.0, 55.0), (0.012, 7.0, -25.0)):
         look.AddWave(amplitude, wavelength, direction)
+    look.SetSlopeVariance(0.0004, 0.0004)  # ripples on these: without them each wave mirrors a hard piece of a hill
     scene.set_sun(140.0, 42.0)
     # from over the dam: low, so that the water mirrors the shores
     scene.set_camera((1010.0, 425.0, 58.0), (300.0, 500.0, -4.0), 40.0)

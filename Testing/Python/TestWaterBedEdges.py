@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 import water_test as wt
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkDiskSource, vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
 SIZE = (240, 180)
 VIEWS = {"above": (3, -9, 9), "middle": (6, -9, 5), "low": (-4, -12, 1.5)}
@@ -313,3 +315,42 @@ def test_a_parallel_view_is_that_of_an_eye_far_away(eye, is_software, monkeypatc
     off = np.abs(pictures[0] - pictures[1]).max(axis=2)
     wt.check_at_least("% of the pixels are water", 100 * mask.mean(), 20)
     wt.check_at_most("% of them that differ by more than 30 of 255", 100 * float((off[mask] > 30).mean()), 0.5)
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+@pytest.mark.parametrize("eye", ((2, -14, 7), (9, -12, 6)), ids=str)
+def test_a_mesh_over_its_plane_is_as_deep_as_in_it(eye, is_software, monkeypatch):
+    """Of a mesh that lies 1.5 m over its plane the water behind a sill, whose bed is hidden, and that of the shore are as
+    deep as with the plane in the mesh: depths count from the surface."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    pictures = []
+    for level in (0.0, -1.5, None):
+        view = wt.View(SIZE, WHITE)
+        # a sill, a basin behind it, and a lower bed before it
+        for middle, size in (((0, 5, -2.6), (16, 10, 0.2)), ((0, -0.5, -2.0), (16, 1, 3)), ((0, -6, -3.6), (16, 10, 0.2))):
+            wt.add_actor(view.renderer, wt.box(middle, size), (0.8, 0.6, 0.4)).GetProperty().LightingOff()
+        if level is not None:
+            water = clear_water(view, None)
+            plane = vtkPlane()
+            plane.SetNormal(0, 0, 1)
+            plane.SetOrigin(0, 0, level)
+            water.SetPlane(plane)
+            sheet = vtkPlaneSource()
+            sheet.SetOrigin(-8, -1, 0)
+            sheet.SetPoint1(8, -1, 0)
+            sheet.SetPoint2(-8, 10, 0)
+            mapper = vtkPolyDataMapper()
+            mapper.SetInputConnection(sheet.GetOutputPort())
+            water.SetMapper(mapper)
+            look = water.GetWaterProperty()
+            look.SetShoreSoftness(1.0)
+            look.SetReflectanceModeToConstant()
+            look.SetReflectance(0.0)
+        wt.place_camera(view.renderer, eye, (0, 0, 0), (0.5, 60))
+        pictures.append(view.picture())
+    wt.save(pictures[0], wt.output_folder() / f"sill_in_plane_{eye[0]}_{is_software}.png")
+    wt.save(pictures[1], wt.output_folder() / f"sill_over_plane_{eye[0]}_{is_software}.png")
+    is_water = np.abs(pictures[0] - pictures[2]).max(axis=2) > 3
+    off = np.abs(pictures[1] - pictures[0]).max(axis=2)[is_water]
+    wt.check_at_least("pixels of water", int(is_water.sum()), 2000)
+    wt.check_at_most("% of them that differ by more than 5 of 255", 100 * float((off > 5).mean()), 3)

@@ -6,6 +6,7 @@ import pytest
 import water_test as wt
 from vtkmodules.vtkRenderingCore import vtkLight
 from vtkwater import vtkWaterProperty
+from vtkwater.scenes import Scene
 
 ABSORPTION, SCATTERING = (0.3, 0.06, 0.02), (0.002, 0.004, 0.01)
 SIZE = (32, 24)
@@ -161,3 +162,18 @@ def test_water_in_a_mirror_has_its_light_too():
     wall.GetPlane().SetNormal(0, -1, 1)
     wt.place_camera(view.renderer, (0, -8, 3), (0, 0, -1), (0.1, 100))
     check_color("45 degrees to the light", view, shown_under(np.full(3, np.sqrt(0.5))))
+
+
+@pytest.mark.parametrize("elevation", (60, 75))
+def test_clear_water_is_blue_to_an_eye_in_it(elevation):
+    """A level look from a depth of 5 m in "clear tropical", under a clear sky with its sun, is blue, and not black."""
+    scene = Scene((80, 60))
+    scene.set_clear_sky(150.0, elevation, 2.5)
+    scene.add_water(0.0, "clear tropical").SetSheetToHorizon()
+    scene.set_camera((0.0, 0.0, -5.0), (0.0, 10.0, -5.0), 60.0)
+    red, green, blue = np.median(np.asarray(scene.picture()).reshape(-1, 3), axis=0)
+    name = f"clear tropical at 5 m, sun at {elevation} degrees"
+    wt.check_at_least(f"{name}: blue of 255", float(blue), 70)
+    wt.check_at_least(f"{name}: green of 255", float(green), 40)  # 60 needs haze that depends on the direction of the look
+    wt.check_at_least(f"{name}: green less red", float(green - red), 20)
+    wt.check_at_least(f"{name}: blue less green", float(blue - green), 20)

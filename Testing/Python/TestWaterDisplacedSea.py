@@ -54,14 +54,14 @@ def straight_down(made, center, scale, near_far=(4.0, 16.0)):
     camera.SetParallelScale(scale)
 
 
-def height_errors(time=3.0, mesh=True, waves=(), center=(0.0, 0.0), scale=2.0, **settings):
-    """Heights in the picture of a straight look, less GetWaveHeight; of it the standard deviation."""
+def height_errors(time=3.0, mesh=True, waves=(), center=(0.0, 0.0), scale=2.0, fine=None, **settings):
+    """Heights in the picture of a straight look, less GetWaveHeight, and that; fine: side and resolution of the mesh."""
     side = 40
     made, water = scene((side, side), **settings)
     for wave in waves:
         water.GetWaterProperty().AddWave(*wave)
     if mesh:
-        use_mesh(water)
+        use_mesh(water, *(fine or ()))
     water.SetTime(time)
     straight_down(made, center, scale)
     found = 10.0 - (4.0 + 12.0 * depths(made))
@@ -92,6 +92,18 @@ def test_the_surface_is_where_the_height_says(name, settings, waves, time):
                      float(np.median(np.abs(errors)) / right.std()), 0.003)
     wt.check_at_most(f"{name} at {time:g} s: rms error of a height, of the heights",
                      float(np.sqrt((errors**2).mean()) / right.std()), 0.01)
+
+
+@pytest.mark.parametrize("time", (0.0, 1e6))
+def test_the_height_is_that_of_the_drawn_sea_within_a_ten_thousandth(time):
+    """Where cells are short beside the shortest waves, GetWaveHeight is that of the drawn sea of three tiles within 1e-4 of
+    the significant height. What is left is the chords of the cells: it goes down with them."""
+    errors = {}
+    for resolution in (500, 2000):  # cells of 10 and 2.5 mm
+        off, right = height_errors(time, SeaCascades=3, fine=(2.5, resolution))
+        errors[resolution] = float(np.sqrt((off**2).mean()) / (4 * right.std()))  # the sea's own is higher than this place's
+    wt.check_at_most(f"three tiles at {time:g} s: rms error of a height, of the significant height", errors[2000], 1e-4)
+    wt.check_at_least("the same with cells four times as long, of that", errors[500] / errors[2000], 4.0)
 
 
 def test_the_sheets_grid_has_what_its_cells_can_hold():

@@ -2,6 +2,7 @@
 """A gallery picture that shows something else than the kept one is found, and noise is not. Whether each example makes
 its kept picture is a test of its own, ExampleGallery_NAME."""
 
+import os
 import pathlib
 import re
 import sys
@@ -9,10 +10,13 @@ import sys
 import numpy as np
 import pytest
 import water_test as wt
+from dark_water import SIZE, add_dark_water, look_at
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "Utilities/Scripts"), str(ROOT / "Examples/Python")]
 
+import clipped  # noqa: E402
 import compare_pictures  # noqa: E402
 import cove  # noqa: E402
 import gallery  # noqa: E402
@@ -77,3 +81,36 @@ def test_a_slow_example_is_found():
     wt.check_equal("slow", gallery.is_in_time("slow", limit + 2, limit + 1), False)
     wt.check_equal("on a busy machine", gallery.is_in_time("waits", limit + 9, limit - 1), True)
     wt.check_equal("on two cores", gallery.is_in_time("two", limit - 1, limit + 9), True)
+
+
+def test_burnt_glitter_is_found(tmp_path):
+    """Glitter that no longer rolls off is clipped, and so is counted; white water without it is not glitter."""
+    view = wt.View(SIZE, (0, 0, 0))
+    wt.add_scene_light(view.renderer, (0.3, 0.6, 0.55))
+    view.renderer.GetLights().GetItemAsObject(0).SetIntensity(1.5)
+    look = add_dark_water(view).GetWaterProperty()
+    look.SetSlopeVariance(0.003, 0.003)
+    look_at(view, (1, -10, 6), angle=60)
+    for rolls, glitters in ((True, True), (False, True), (False, False)):
+        look.SetHighlightRollOff(rolls)
+        look.SetGlitter(glitters)
+        water, _, burnt = clipped.measure(view.window, vtkWindowToImageFilter)
+        name = f"rolls off: {rolls}, glitter: {glitters}"
+        wt.check_equal(f"{name}: settings as before", (look.GetGlitter(), look.GetOutput()), (glitters, look.COLOR))
+        if glitters:
+            wt.check_at_least(f"{name}: pixels of water", water, 1000)
+        measured = tmp_path / "clipped.txt"
+        measured.write_text(f"{water} {burnt} {burnt} 0.5")
+        wt.check_equal(f"{name}: is too much", clipped.share(name, measured)[0] > clipped.LIMIT, not rolls and glitters)
+    wt.check_equal("nothing measured", clipped.share("none", tmp_path / "none.txt"), (100.0, 0.0))
+
+
+def test_an_example_is_measured(tmp_path):
+    """The picture that an example writes is measured while it is made, and what it sees of Python is as before."""
+    paths = os.environ.get("PYTHONPATH")
+    with clipped.watching() as measured:
+        gallery.render("first_water", tmp_path)
+        counts = [float(word) for word in measured.read_text().split()]
+    wt.check_equal("PYTHONPATH afterwards", os.environ.get("PYTHONPATH"), paths)
+    wt.check_at_least("pixels of water", counts[0], 50000)
+    wt.check_at_most("pixels that are white", counts[1], 0)

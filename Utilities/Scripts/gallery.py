@@ -4,8 +4,9 @@
 usage: gallery.py [--check FOLDER] [PICTURE...]    default: all of them
 
 --check FOLDER writes what the examples make under FOLDER, and compares it with Documentation/images
-(compare_pictures.py). It ends with 1 if a picture differs, or if an example takes longer than LIMIT_S. Run it with a
-Python that has vtkwater (and Pillow, without --check), and a window to render in.
+(compare_pictures.py). It ends with 1 if a picture differs, if an example takes longer than LIMIT_S, or if glitter clips
+more than 1 % of the water's pixels (clipped.py). Run it with a Python that has vtkwater (and Pillow, without --check),
+and a window to render in.
 """
 import argparse
 import pathlib
@@ -15,6 +16,7 @@ import sys
 import tempfile
 import time
 
+import clipped
 import compare_pictures
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -96,11 +98,13 @@ def is_in_time(name, seconds, processor):
 
 
 def check(name, folder):
-    """Render a picture. Returns whether it shows what the kept one shows, and was rendered in time."""
+    """Render a picture. Returns whether it shows what the kept one shows, was rendered in time, and is not burnt out."""
     start, processor = time.monotonic(), processor_seconds()
-    picture = render(name, folder)
-    in_time = is_in_time(name, time.monotonic() - start, processor_seconds() - processor)
-    return compare_pictures.check(picture, kept(name)) and in_time
+    with clipped.watching() as measured:
+        picture = render(name, folder)
+        share, measuring = clipped.share(name, measured)
+    in_time = is_in_time(name, time.monotonic() - start, processor_seconds() - processor - measuring)
+    return compare_pictures.check(picture, kept(name)) and in_time and share <= clipped.LIMIT
 
 
 def keep(name):

@@ -10,7 +10,7 @@ const float WATER_MEDIUM_APART = 0.25; // of the way from what hides a ray to th
 const float WATER_MEDIUM_LOWEST = 0.85; // of the same: surely the bed
 const float WATER_MEDIUM_ASIDE_RATE = 1.3; // of a look's distance to that of the one before it: the last is 600 pixels away
 
-// How far under the plane is what is seen there? 0: over it, or background.
+// How far under the surface is what is seen there? 0: over it, or background.
 float waterMediumUnder(vec2 uv)
 {
   float depth = waterMediumDepth(uv);
@@ -24,7 +24,7 @@ float waterMediumUnder(vec2 uv)
 // end      of a ray behind the object: u, v
 // side     one pixel to the side, as part of the picture
 // onwards  the same in the direction of the ray
-// deep     what is under the plane by more than that is the bed
+// deep     what is under the surface by more than that is the bed
 //
 // Returns the place, how far away it is, pixels, and 1 if it is deep; all 0: there is none
 vec4 waterMediumBeside(vec2 end, vec2 side, vec2 onwards, float deep)
@@ -59,7 +59,7 @@ bool waterMediumLookAside(vec3 end, vec2 way, bool isPost, inout WaterMediumView
 {
   vec2 size = waterMediumSize();
   vec2 onwards = way / max(length(way * size), 1e-9);
-  float deep = (isPost ? WATER_MEDIUM_LOWEST : WATER_MEDIUM_DEEP) * waterBedDepth;
+  float deep = (isPost ? WATER_MEDIUM_LOWEST : WATER_MEDIUM_DEEP) * waterMediumDeepest();
   vec4 left = waterMediumBeside(end.xy, vec2(-1.0, 0.0) / size, onwards, deep);
   vec4 right = waterMediumBeside(end.xy, vec2(1.0, 0.0) / size, onwards, deep);
   float nearest = min(waterMediumDepth(left.xy), waterMediumDepth(right.xy));
@@ -110,7 +110,7 @@ void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most
   vec3 end = ray.start + deepest * ray.way;
   bool isOverEnd = met.view.isHidden && met.depth < 1.0 && !met.isNothing;
   bool isStraight = depth < 1.0 && height < 0.0 && !isOverEnd;
-  bool isLast = waterMediumHeight(met.view.from, met.depth) < -WATER_MEDIUM_LOWEST * waterBedDepth ||
+  bool isLast = waterMediumHeight(met.view.from, met.depth) < -WATER_MEDIUM_LOWEST * waterMediumDeepest() ||
     waterMediumMeetsLast(ray, met, deepest);
   if (isStraight)
   {

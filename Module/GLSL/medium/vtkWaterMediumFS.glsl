@@ -69,6 +69,12 @@ float waterMediumBetween(WaterMediumRay ray, WaterMediumView view, float depth)
   return view.s + (view.isMet && isNear ? further : 0.0);
 }
 
+// How far the scene reaches under the point that is looked through.
+float waterMediumDeepest()
+{
+  return waterBedDepth + max(waterMediumTop, 0.0);
+}
+
 // Corrects what a ray is found to meet where the picture does not show it; of the slot ground.
 //
 // dir   of the ray, in the plane's axes
@@ -85,10 +91,10 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
     waterMediumTurn(WaterMediumRay(start, vec3(0.0), 1.0 / waterPerW(), 0.0), dir, 0.0);
   float pixel = max(length(point.across), length(point.down));
   float border = waterMediumBorder(point.place, dir.xy, 2.0 * pixel);
-  bool isBounded = border * -dir.z < waterBedDepth && waterSide > 0.0;
+  bool isBounded = border * -dir.z < waterMediumDeepest() && waterSide > 0.0;
   // at the lowest angles a pixel is too wide to tell whether the bed ends with the water
   bool isFine = pixel < WATER_MEDIUM_FINE * waterBedDepth;
-  float deepest = WATER_MEDIUM_DEEPER * (waterBedDepth + max(point.height, 0.0));
+  float deepest = WATER_MEDIUM_DEEPER * waterMediumDeepest();
   float most = waterSide > 0.0 ? deepest / -dir.z : WATER_MEDIUM_ENDLESS;
   WaterMediumMet met;
   met.isUnderBorder = false;
@@ -142,6 +148,7 @@ float waterMediumLight(WaterPoint point, WaterMediumMet met, vec2 seen, vec3 dir
 // Color of what a ray meets beyond a point of the surface, and the light that the water adds.
 vec3 waterTransmittedRay(WaterPoint point)
 {
+  waterMediumTop = point.height;
   vec3 dir = refract(point.ray, point.normal, 1.0 / waterEta);
   if (dir.z >= 0.0)
   {
@@ -198,6 +205,7 @@ vec3 waterTransmitted(WaterPoint point);
 // that is the shore, and far over it as good as none, or silhouettes had a shore.
 float waterTransmittedDepth(WaterPoint point)
 {
+  waterMediumTop = point.height;
   vec2 uv = waterMediumPlace(point.ndc);
   float depth = waterMediumDepth(uv);
   return depth >= 1.0 || waterSide < 0.0 ? 1e9 : abs(waterMediumHeight(uv, depth));

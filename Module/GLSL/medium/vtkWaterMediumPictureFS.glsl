@@ -34,6 +34,7 @@ const float WATER_MEDIUM_TOLERANCE = 1.1; // where a slope that goes on is met, 
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 
 float waterAir = 0.0; // of a refracted ray, that is not water; of the slot port
+float waterMediumTop = 0.0; // height over the plane of the point of the surface that is looked through
 
 // Where the picture shows a place that the eye sees.
 vec2 waterMediumPlace(vec2 ndc)
@@ -46,11 +47,11 @@ float waterMediumDepth(vec2 uv)
   return textureLod(waterSceneDepth, uv, 0.0).r;
 }
 
-// Height over the plane of what the picture shows.
+// Height of what the picture shows over the point of the surface that is looked through.
 float waterMediumHeight(vec2 uv, float depth)
 {
   vec4 clip = vec4(2.0 * vec3(uv, depth) - 1.0, 1.0);
-  return dot(waterHeightClip, clip) / dot(waterClipW, clip);
+  return dot(waterHeightClip, clip) / dot(waterClipW, clip) - waterMediumTop;
 }
 
 // Of the same, w in clip space.
