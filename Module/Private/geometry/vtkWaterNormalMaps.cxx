@@ -45,12 +45,12 @@ std::string CheckPicture(vtkTexture* texture)
   }
   const int* size = image->GetDimensions();
   const int channels = scalars->GetNumberOfComponents();
-  if (size[2] != 1 || size[0] < kSmallestImage || size[1] < kSmallestImage || size[0] > kLargestImage ||
-    size[1] > kLargestImage)
+  if (size[2] != 1 || size[0] < kSmallestImage || size[1] < kSmallestImage ||
+    size[0] > kLargestImage || size[1] > kLargestImage)
   {
     wrong << "the picture is " << size[0] << " x " << size[1] << " x " << size[2]
-          << "; it must be from " << kSmallestImage << " x " << kSmallestImage << " to " << kLargestImage << " x "
-          << kLargestImage;
+          << "; it must be from " << kSmallestImage << " x " << kSmallestImage << " to "
+          << kLargestImage << " x " << kLargestImage;
   }
   else if (channels != 3 && channels != 4)
   {
