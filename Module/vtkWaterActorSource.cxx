@@ -250,6 +250,7 @@ water_feature_set FeaturesOf(const vtkWaterLook& look)
 {
   water_feature_set features = water_features_of(&look.Has);
   features = look.HasGround ? water_features_with_ground(features) : features;
+  features = look.Bed == WATER_UNITS_BED_NONE ? water_features_with_open(features) : features;
   return look.DomePortRadius > 0.0 ? water_features_with_port(features) : features;
 }
 }

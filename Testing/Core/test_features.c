@@ -212,7 +212,7 @@ TEST(buffers_are_for_meshes)
   }
 }
 
-// Only through clear water is ground seen.
+// Only through clear water is ground seen, or that there is none.
 TEST(ground_is_for_what_is_seen_through)
 {
   for (unsigned has = 0; has < LOOKS; ++has)
@@ -221,6 +221,8 @@ TEST(ground_is_for_what_is_seen_through)
     const bool is_clear = (features & WATER_FEATURE_MEDIUM) != 0;
     assert_int_equal(
       water_features_with_ground(features), features + (is_clear ? WATER_FEATURE_GROUND : 0));
+    assert_int_equal(
+      water_features_with_open(features), features + (is_clear ? WATER_FEATURE_OPEN : 0));
   }
 }
 
@@ -279,6 +281,7 @@ TEST(sets_have_room_for_64_features)
   assert_true((water_features_with_port(last) & last) != 0);
   assert_true((water_features_with_buffer(last) & last) != 0);
   assert_true((water_features_with_ground(last) & last) != 0);
+  assert_true((water_features_with_open(last) & last) != 0);
   assert_true((water_features_with_samples(last) & last) != 0);
   assert_true((water_features_on_hardware(last) & last) != 0);
   assert_true((water_sky_features(last, false, false, &sky) & last) != 0);

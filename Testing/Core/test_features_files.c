@@ -27,8 +27,8 @@ enum
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
   // not flat, or without, with samples, with hulls, with a current, with matter, with foam of data,
-  // over ground, in a buffer, cut at the shore, and under one of 8 kinds of skies
-  REACHABLE_MAX = (2 + 17 * 8) * LOOKS
+  // over ground or none, in a buffer, cut at the shore, and under one of 8 kinds of skies
+  REACHABLE_MAX = (2 + 18 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -91,7 +91,8 @@ static size_t reach_all(const water_feature_set** all)
       features[count + 14] = water_features_with_matter(features[count + has % 8]);
       features[count + 15] = water_features_with_foam_data(features[count + has % 8]);
       features[count + 16] = water_features_with_shore(features[count + has % 8]);
-      count += 17;
+      features[count + 17] = water_features_with_open(features[count + has % 8]);
+      count += 18;
     }
   }
   qsort(features, count, sizeof features[0], compare_sets);

@@ -159,6 +159,11 @@ water_feature_set water_features_with_ground(water_feature_set features)
   return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_GROUND);
 }
 
+water_feature_set water_features_with_open(water_feature_set features)
+{
+  return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_OPEN);
+}
+
 water_feature_set water_features_with_samples(water_feature_set features)
 {
   return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_SAMPLES);

@@ -59,7 +59,8 @@ extern "C"
   X(MATTER, "data give the concentration of matter in the water")                                  \
   X(FOAM_DATA, "data give the foam cover")                                                         \
   X(SKY_VIEW, "what may be the sky has a view of its own")                                         \
-  X(SHORE, "a user's mesh is cut at the shore while it is drawn")
+  X(SHORE, "a user's mesh is cut at the shore while it is drawn")                                  \
+  X(OPEN, "open water: no ground is under it")
 
 typedef enum water_feature_bit
 {
@@ -211,8 +212,10 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "the same, with branches")                                                                     \
   X(ground, vtkWaterGroundFS, WATER_FEATURE_FLAG(GROUND), 0,                                       \
     "what a ray meets outside the picture")                                                        \
-  X(ground, vtkWaterNoGroundFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(GROUND),            \
-    "deep water")                                                                                  \
+  X(ground, vtkWaterOpenFS, WATER_FEATURE_FLAG(OPEN), WATER_FEATURE_FLAG(GROUND),                  \
+    "deep water, also for what is hidden")                                                         \
+  X(ground, vtkWaterNoGroundFS, WATER_FEATURE_FLAG(MEDIUM),                                        \
+    WATER_FEATURE_FLAG(GROUND) | WATER_FEATURE_FLAG(OPEN), "deep water")                           \
   X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0, "the slopes of the facets") \
   X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), WATER_FEATURE_FLAG(HARDWARE_FACETS),      \
     "several facets per pixel")                                                                    \
@@ -393,6 +396,9 @@ water_feature_set water_features_with_buffer(water_feature_set features);
 
 // Adds the feature of clear water with ground under all of it.
 water_feature_set water_features_with_ground(water_feature_set features);
+
+// Adds the feature of clear water that is known to have no ground under it.
+water_feature_set water_features_with_open(water_feature_set features);
 
 // Adds the feature of a camera behind a dome port. Only clear water has it.
 water_feature_set water_features_with_port(water_feature_set features);

@@ -142,7 +142,6 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterSide", plan.side == WATER_BELOW ? -1.0 : 1.0);
   // its own: the plan may have been made for several waters
   const vtkWaterLook& look = this->Water->Look;
-  uniforms::Set(program, "waterIsOpen", look.Bed == WATER_UNITS_BED_NONE ? 1 : 0);
   uniforms::Set(program, "waterEta", water_optics_eta(&look.Optics, plan.side));
   uniforms::Set(
     program, "waterReflectance", look.Optics.constant_reflectance ? look.Optics.reflectance : -1.0);
