@@ -4,11 +4,13 @@
 #include "vtkAbstractMapper.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataSet.h"
-#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
 #include "vtkWaterColumns.h"
 #include "vtkWaterCompat.h"
@@ -31,8 +33,27 @@ vtkDataSet* UpdateInput(vtkAlgorithm* filter)
   vtkAlgorithmOutput* input = filter->GetInputConnection(0, 0);
   filter->UpdateInformation();
   filter->PropagateUpdateExtent();
-  auto* executive = vtkDemandDrivenPipeline::SafeDownCast(input->GetProducer()->GetExecutive());
-  if (!executive || !executive->UpdateData(input->GetIndex()))
+  auto* executive =
+    vtkStreamingDemandDrivenPipeline::SafeDownCast(input->GetProducer()->GetExecutive());
+  if (!executive)
+  {
+    return nullptr;
+  }
+  // a filter that is up to date passes no time on, and another consumer may have asked for one
+  // since
+  vtkInformationDoubleKey* step = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  vtkInformation* asked = filter->GetOutputInformation(0);
+  vtkInformation* of = filter->GetInputInformation(0, 0);
+  if (asked->Has(step))
+  {
+    of->Set(step, asked->Get(step));
+  }
+  else
+  {
+    of->Remove(step);
+  }
+  executive->PropagateUpdateExtent(input->GetIndex());
+  if (!executive->UpdateData(input->GetIndex()))
   {
     return nullptr;
   }

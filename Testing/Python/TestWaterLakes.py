@@ -16,7 +16,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper, vtkPolyDataMapper, vtkRenderer
 
-from vtkwater import vtkWaterActor, vtkWaterLakes, vtkWaterPlanesFilter
+from vtkwater import vtkWaterActor, vtkWaterLakes, vtkWaterPlanesFilter, vtkWaterSurfaceFilter
 
 SIZE = (400, 200)
 LEVELS = (0.0, 0.11, -0.07, 0.2, 0.05, -0.15, 0.13, -0.02, 0.17, 0.09)
@@ -191,6 +191,29 @@ def test_a_picture_is_a_function_of_the_pipelines_time(is_software, monkeypatch)
     for time in (0.5, 1.0, 2.0):
         changed = (pictures[time] != pictures[0.0]).any(axis=2).mean()
         wt.check_at_least(f"pixels that change until {time}, %", 100 * changed, 2)
+
+
+@pytest.mark.parametrize("cut", ("CUT_IN_FILTER", "CUT_WHILE_DRAWN"))
+def test_another_consumer_does_not_change_the_waters_time(cut):
+    """The same source is read for another time: by another filter, or itself."""
+    source = TestWaterSurfaceFilter.Steps([flooded(level) for level in (0.1, 0.5, -0.3)])
+    lakes = vtkWaterLakes()
+    surface = lakes.SetData(source.GetOutputPort(), "zeta", "", "zb")
+    lakes.SetShoreCut(getattr(lakes, cut))
+    view = view_of(things())
+    view.renderer.AddActor(lakes.GetWater())
+    lakes.AddTo(view.renderer)
+    surface.UpdateTimeStep(0.0)
+    first = view.picture().astype(int)
+    other = vtkWaterSurfaceFilter()
+    other.SetLevelArrayName("zeta")
+    other.SetBedArrayName("zb")
+    other.SetInputConnection(source.GetOutputPort())
+    for read in (other.UpdateTimeStep, source.UpdateTimeStep):
+        read(1.0)
+        picture = view.picture().astype(int)
+        wt.check_at_most("level off by", abs(lakes.GetWater().GetLevel() - 0.1), 1e-6)
+        wt.check_equal("pixels that differ", int((picture != first).any(axis=2).sum()), 0)
 
 
 def flooded(level):
