@@ -286,6 +286,28 @@ TEST(chunks_list_their_points)
   assert_true(found[0] > 100 && found[1] > 100 && found[2] > 100);
 }
 
+// Two cells of 32 corners are compared; of larger ones each begins a chunk, though they share
+// points.
+TEST(large_cells_are_chunks_of_their_own)
+{
+  enum
+  {
+    EACH = 33
+  };
+  for (int64_t count = 32; count <= EACH; ++count)
+  {
+    int64_t corners[2 * EACH];
+    for (int64_t i = 0; i < count; ++i)
+    {
+      corners[i] = i;
+      corners[2 * count - 1 - i] = i;
+    }
+    const int64_t starts[3] = { 0, count, 2 * count };
+    int64_t begins[3];
+    assert_int_equal(water_chunks_split(starts, corners, 2, MOST, begins), count == 32 ? 1 : 2);
+  }
+}
+
 // A point at the water's level, with a depth of 0, is not under it.
 TEST(a_point_at_the_level_is_dry)
 {
@@ -331,6 +353,6 @@ TEST(chunks_end_where_they_end)
   assert_int_equal(ends[3], 9);
 }
 
-TESTS(chunks_end_where_they_end, a_point_at_the_level_is_dry, links_end_where_they_end,
-  chunks_join_what_their_cells_join, chunks_know_what_is_beside_them,
+TESTS(chunks_end_where_they_end, large_cells_are_chunks_of_their_own, a_point_at_the_level_is_dry,
+  links_end_where_they_end, chunks_join_what_their_cells_join, chunks_know_what_is_beside_them,
   chunks_are_connected_rows_of_cells, chunks_list_their_points)

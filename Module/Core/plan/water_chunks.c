@@ -5,10 +5,15 @@
 
 #include <stdbool.h>
 
-// Has a cell a corner of another one?
+// Of two cells: comparing the corners of larger ones, such as outlines of lakes, would take longer
+// than what chunks save.
+static const int64_t pairs_max = 1024;
+
+// Has a cell a corner of another one? Unknown of large cells, which begin chunks of their own.
 static bool shares_point(const int64_t* starts, const int64_t* corners, size_t cell, size_t other)
 {
-  for (int64_t i = starts[cell]; i < starts[cell + 1]; ++i)
+  const int64_t pairs = (starts[cell + 1] - starts[cell]) * (starts[other + 1] - starts[other]);
+  for (int64_t i = pairs <= pairs_max ? starts[cell] : starts[cell + 1]; i < starts[cell + 1]; ++i)
   {
     for (int64_t j = starts[other]; j < starts[other + 1]; ++j)
     {
