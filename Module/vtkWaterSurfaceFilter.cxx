@@ -136,7 +136,7 @@ std::array<vtkMTimeType, 5> CellsOf(vtkDataSet* data)
   {
     return {}; // not known
   }
-  return { 1, reinterpret_cast<vtkMTimeType>(polygons), polygons->GetMTime(),
+  return { 1, reinterpret_cast<vtkMTimeType>(polygons), vtkWaterCellsTime(polygons),
     static_cast<vtkMTimeType>(polygons->GetNumberOfConnectivityIds()),
     static_cast<vtkMTimeType>(data->GetNumberOfPoints()) };
 }

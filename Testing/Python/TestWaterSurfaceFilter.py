@@ -8,7 +8,7 @@ import pytest
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, vtkCellArray, vtkDataObject, vtkDataSetAttributes, vtkImageData,
                                            vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
@@ -755,3 +755,86 @@ def test_a_point_that_is_not_there_is_an_error(point):
     wt.check_equal("cells", surface.GetNumberOfCells(), 0)
     wt.check_equal("errors", len(said), 1)
     wt.check_equal("names the point", f"the point {point}" in said[0], True)
+
+
+def test_polygons_that_vtk_cannot_triangulate_are_cut_as_a_fan():
+    """Corners that come twice, as where an island is joined to a lake's outline: no point is named that is not there."""
+    corners = [5, 2, 2, 4, 5, 1, 0]
+    random = np.random.default_rng(3)
+    cut = 0
+    for _ in range(50):
+        mesh = polygons_of(random.random((6, 2)), [corners])
+        add_array(mesh, "zeta", random.choice([-1.0, 1.0], 6))
+        add_array(mesh, "zb", np.zeros(6))
+        _, surface, said = surface_of(mesh, LevelArrayName="zeta", BedArrayName="zb", DryDepth=0.0)
+        ids = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
+        assert said == [] and (ids >= 0).all() and (ids < surface.GetNumberOfPoints()).all()
+        cut += surface.GetNumberOfCells() > 0
+    wt.check_at_least("meshes with water", cut, 25)
+
+    # a wet square with an island of two corners on land
+    outline = np.array(((0, 0), (10, 0), (10, 10), (0, 10), (4, 4), (6, 4), (6, 6), (4, 6)), float)
+    mesh = polygons_of(outline, [[0, 1, 2, 3, 0, 4, 7, 6, 5, 4]])
+    add_array(mesh, "zeta", np.array((1, 1, 1, 1, -1, -1, 1, 1), float))
+    add_array(mesh, "zb", np.zeros(8))
+    _, surface, _ = surface_of(mesh, LevelArrayName="zeta", BedArrayName="zb", DryDepth=0.0)
+    wt.check_at_least("cells of a lake with an island", surface.GetNumberOfCells(), 4)
+
+
+@pytest.mark.parametrize("is_grid", (False, True), ids=("polygons", "grid"))
+def test_cells_that_change_in_place_are_looked_at_again(is_grid):
+    """The array of their points is Modified(), not the cells: their own time stays as it was."""
+    mesh = unstructured() if is_grid else flooded(0.4)
+    if is_grid:
+        add_array(mesh, "h", np.ones(mesh.GetNumberOfPoints()))
+    surface = vtkWaterSurfaceFilter()
+    surface.SetDepthArrayName("h")
+    surface.SetInputData(mesh)
+    surface.Update()
+    wt.check_at_least("cells", surface.GetOutput().GetNumberOfCells(), 1)
+    ids = (mesh.GetCells() if is_grid else mesh.GetPolys()).GetConnectivityArray()
+    ids.SetComponent(5, 0, 10**9)
+    ids.Modified()
+    mesh.Modified()
+    said = wt.errors_of(surface)
+    surface.Update()
+    wt.check_equal("cells", surface.GetOutput().GetNumberOfCells(), 0)
+    wt.check_equal("names the point", [f"the point {10**9}" in text for text in said], [True])
+
+
+def few_points():
+    mesh = vtkStructuredGrid()
+    mesh.SetDimensions(3000, 3000, 1)
+    points = vtkPoints()
+    points.SetNumberOfPoints(10)
+    mesh.SetPoints(points)
+    return mesh
+
+
+def few_coordinates():
+    mesh = vtkRectilinearGrid()
+    mesh.SetDimensions(3000, 2, 1)
+    for set_axis, count in ((mesh.SetXCoordinates, 1), (mesh.SetYCoordinates, 2), (mesh.SetZCoordinates, 1)):
+        set_axis(numpy_to_vtk(np.arange(float(count)), deep=True))
+    return mesh
+
+
+def wrong_offsets():
+    mesh = polygons_of(np.random.default_rng(1).random((8, 2)), [])
+    numbers = [numpy_to_vtk(np.array(values, np.int64), deep=True, array_type=VTK_ID_TYPE)
+               for values in ((0, 6, 4, 8), range(8))]
+    mesh.GetPolys().SetData(*numbers)
+    return mesh
+
+
+@pytest.mark.parametrize("make, words", (
+    (few_points, "the grid has 10 points; its dimensions need 9000000"),
+    (few_coordinates, "the grid has 1 coordinates along axis 0; its dimensions need 3000"),
+    (wrong_offsets, "offset 2 of the cells is wrong; offsets must ascend from 0 to at most 8"),
+), ids=("points", "coordinates", "offsets"))
+def test_what_lies_beyond_a_meshs_arrays_is_an_error(make, words):
+    mesh = make()
+    add_array(mesh, "h", np.ones(8))
+    _, surface, said = surface_of(mesh, DepthArrayName="h")
+    wt.check_equal("cells", surface.GetNumberOfCells(), 0)
+    wt.check_equal("said once, with the numbers", [words in text for text in said], [True])

@@ -22,7 +22,7 @@ void vtkWaterCellChunks::Update(vtkPolyData* mesh)
   if (mesh)
   {
     vtkCellArray* cells = mesh->GetPolys();
-    now = { reinterpret_cast<vtkMTimeType>(cells), cells->GetMTime(),
+    now = { reinterpret_cast<vtkMTimeType>(cells), vtkWaterCellsTime(cells),
       static_cast<vtkMTimeType>(cells->GetNumberOfConnectivityIds()),
       static_cast<vtkMTimeType>(mesh->GetNumberOfPoints()) };
   }

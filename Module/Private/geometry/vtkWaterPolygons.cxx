@@ -4,6 +4,8 @@
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -11,6 +13,65 @@
 
 namespace
 {
+// What is wrong with the offsets of cells, which must ascend from 0 and end in the list of points;
+// empty: nothing is.
+std::string FindWrongOffset(vtkCellArray* cells)
+{
+  vtkDataArray* offsets = cells->GetOffsetsArray();
+  const vtkIdType count = offsets->GetNumberOfValues();
+  const vtkIdType most = cells->GetNumberOfConnectivityIds();
+  const int64_t* starts = vtkWaterCellLists(cells).Starts;
+  std::atomic<vtkIdType> wrong{ -1 };
+  vtkWaterForBlocks(count, [&](vtkIdType, vtkIdType begin, vtkIdType end) {
+    const auto at = [offsets, starts](vtkIdType i) {
+      return starts ? static_cast<vtkIdType>(starts[i])
+                    : static_cast<vtkIdType>(offsets->GetComponent(i, 0));
+    };
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const vtkIdType least = i > 0 ? at(i - 1) : 0;
+      if (at(i) < least || at(i) > most || (i == 0 && at(i) != 0))
+      {
+        wrong = i;
+      }
+    }
+  });
+  return wrong < 0 ? std::string()
+                   : "offset " + std::to_string(wrong) +
+      " of the cells is wrong; offsets must ascend from 0 to at most " + std::to_string(most);
+}
+
+// What is wrong with the points of a grid of rows; empty: nothing is.
+std::string FindMissingPoint(vtkDataSet* input)
+{
+  int size[3] = { 0, 0, 0 };
+  if (auto* grid = vtkStructuredGrid::SafeDownCast(input))
+  {
+    grid->GetDimensions(size);
+    const vtkIdType wanted = static_cast<vtkIdType>(size[0]) * size[1] * size[2];
+    return grid->GetNumberOfPoints() >= wanted
+      ? std::string()
+      : "the grid has " + std::to_string(grid->GetNumberOfPoints()) +
+        " points; its dimensions need " + std::to_string(wanted);
+  }
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(input))
+  {
+    grid->GetDimensions(size);
+    vtkDataArray* const axes[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+      grid->GetZCoordinates() };
+    for (int i = 0; i < 3; ++i)
+    {
+      const vtkIdType has = axes[i] ? axes[i]->GetNumberOfTuples() : 0;
+      if (has < size[i])
+      {
+        return "the grid has " + std::to_string(has) + " coordinates along axis " +
+          std::to_string(i) + "; its dimensions need " + std::to_string(size[i]);
+      }
+    }
+  }
+  return {};
+}
+
 // What is wrong with cells; empty: nothing is.
 //
 // start   number of the first of them in the data set
@@ -23,9 +84,10 @@ std::string FindWrongPoint(vtkCellArray* cells, vtkIdType start, vtkIdType point
       return static_cast<vtkTypeUInt64>(point) >= static_cast<vtkTypeUInt64>(points);
     });
   };
-  if (!cells || !vtkWaterHasCell(cells, isWrong)) // every step of a mesh is asked
+  const std::string wrongOffset = cells ? FindWrongOffset(cells) : std::string();
+  if (!cells || !wrongOffset.empty() || !vtkWaterHasCell(cells, isWrong))
   {
-    return {};
+    return wrongOffset;
   }
   vtkIdType wrongCell = -1; // the first one
   vtkIdType wrongPoint = 0;
@@ -57,7 +119,7 @@ std::string vtkWaterFindWrongPoint(vtkDataSet* input)
   {
     return FindWrongPoint(grid->GetCells(), 0, points);
   }
-  std::string wrong;
+  std::string wrong = FindMissingPoint(input);
   if (auto* mesh = vtkPolyData::SafeDownCast(input))
   {
     vtkIdType start = 0; // in this order

@@ -19,8 +19,9 @@
 class vtkDataSet;
 class vtkPolyData;
 
-// The first cell with a point that the data set does not have; empty: there is none. VTK's filters
-// do not check this, and crash.
+// The first cell with a point that the data set does not have, or what else its cells or
+// dimensions have that lies beyond its arrays; empty: nothing. VTK's filters do not check this, and
+// crash.
 std::string vtkWaterFindWrongPoint(vtkDataSet* input);
 
 // The polygons of a data set's surface, and nothing else: strips become triangles.
@@ -74,6 +75,13 @@ struct vtkWaterCellLists
   const int64_t* Starts = nullptr; // one more than there are cells
   const int64_t* Corners = nullptr;
 };
+
+// When cells were changed last. vtkCellArray::GetMTime does not ask its arrays.
+inline vtkMTimeType vtkWaterCellsTime(vtkCellArray* cells)
+{
+  return std::max({ cells->GetMTime(), cells->GetOffsetsArray()->GetMTime(),
+    cells->GetConnectivityArray()->GetMTime() });
+}
 
 // Calls function(cell, points, count) for the cells from begin up to end, in order.
 template <typename Function>

@@ -7,6 +7,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
+#include "vtkWaterPolygons.h"
 #include "vtkWaterUncutMesh.h"
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -41,7 +42,7 @@ void vtkWaterUncutMapper::BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPo
     return;
   }
   vtkCellArray* cells = solved->GetPolys();
-  const Key now = { reinterpret_cast<vtkMTimeType>(cells), cells->GetMTime(),
+  const Key now = { reinterpret_cast<vtkMTimeType>(cells), vtkWaterCellsTime(cells),
     solved->GetPoints()->GetMTime() };
   if (now == this->Listed)
   {

@@ -28,26 +28,30 @@ vtkIdType CountOf(const std::vector<vtkIdType>& all)
   return static_cast<vtkIdType>(all.size());
 }
 
-// The triangles of a polygon, three points each; of a quad those that VTK draws it as.
+// The triangles of a polygon, three points each; of a quad those that VTK draws it as, and of a
+// polygon that VTK cannot triangulate a fan, as vtkWaterForWetParts has it.
 void TriangulateInto(
   const vtkIdType* corners, vtkIdType count, vtkPoints* points, vtkIdList* triangles)
 {
-  if (count == 4)
+  vtkNew<vtkPolygon> polygon; // perhaps concave
+  vtkNew<vtkPoints> places;
+  bool isFan = count == 4;
+  if (!isFan)
+  {
+    polygon->Initialize(static_cast<int>(count), corners, points);
+    isFan = polygon->Triangulate(0, triangles, places) == 0; // then it leaves numbers of corners
+  }
+  if (isFan)
   {
     triangles->Reset();
-    for (size_t number = 0; number < 2; ++number)
+    for (size_t number = 0; number + 2 < static_cast<size_t>(count); ++number)
     {
       size_t three[3];
       water_shore_triangle(number, three);
       std::for_each(
         three, three + 3, [&](size_t corner) { triangles->InsertNextId(corners[corner]); });
     }
-    return;
   }
-  vtkNew<vtkPolygon> polygon; // perhaps concave
-  vtkNew<vtkPoints> places;
-  polygon->Initialize(static_cast<int>(count), corners, points);
-  polygon->Triangulate(0, triangles, places);
 }
 }
 
