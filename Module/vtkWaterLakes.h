@@ -63,6 +63,9 @@ public:
    * two-dimensional cells. Its scalars are shown as in a vtkWaterActor. nullptr, the default, means
    * no water. A mapper of composite data, such as vtkCompositePolyDataMapper, is rejected with an
    * error.
+   *
+   * After its Update, its input is the surface of all waters, to export or to filter. The mesh of
+   * the mapper of one water (GetWater) is only the part in its plane.
    */
   void SetMapper(vtkMapper* mapper);
   vtkMapper* GetMapper() const;

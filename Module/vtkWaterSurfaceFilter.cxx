@@ -214,6 +214,7 @@ void vtkWaterSurfaceFilter::SetName(std::string& member, const std::string& name
     member = name;
     this->AreUnitsTold = false;
     this->IsSignTold = false;
+    this->IsLandTold = false;
     this->Modified();
   }
 }
@@ -377,6 +378,16 @@ bool vtkWaterSurfaceFilter::ReadStep(vtkDataSet* input, vtkPolyData* mesh, vtkWa
     this->CheckUnits(given.Level, given.Depth, given.Bed);
   }
   columns.Make(mesh, given);
+  if (columns.AreLevelsBeds() && !this->IsLandTold)
+  {
+    this->IsLandTold = true;
+    vtkWarningMacro(
+      "the level '" << this->LevelArrayName
+                    << "' of the cells seems to be the bed where they are dry, and the bed '"
+                    << this->BedArrayName
+                    << "' is one of points: some dry cells are shown as water. Name the "
+                       "array of depths, too, or the bed of the cells.");
+  }
   return true;
 }
 

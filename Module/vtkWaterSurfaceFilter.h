@@ -20,6 +20,12 @@
  * if its bed is below that level, as behind a dyke. Places with values that are not finite or
  * beyond 1e9, as the fill values of files are, or with depths below 0, are dry.
  *
+ * Many solvers write the bed of a cell as the level of dry cells. If the bed is known at the points
+ * only, such a level lies over the lowest corners of the cell, and the filter cannot tell it from a
+ * puddle: give the depth of the cells, too, instead of the bed (level and depth, or depth and bed),
+ * or the bed of the cells. A warning tells this, once, if most of the cells that the shore cuts
+ * have such a level.
+ *
  * Output points have the arrays "WaterLevel" and "WaterDepth" (0 at the shore; absent with only the
  * level), in the unit of the mesh. Lines and vertices are left out. In a composite dataset each
  * block is a separate mesh; GetMeanLevel then returns the level of the last one. Heights are along
@@ -158,6 +164,7 @@ private:
   bool IsCutMissing = false; // the last step was read for a drawing alone
   bool AreUnitsTold = false;
   bool IsSignTold = false;
+  bool IsLandTold = false;
   std::array<vtkMTimeType, 5> Checked{}; // the cells whose points have been checked
   vtkNew<vtkPolyData> Surface;           // whose mean it is, until it is known
   std::unique_ptr<vtkWaterGridPolygons> Polygons;

@@ -116,17 +116,17 @@ def render(arguments):
     warn_of_level(ground, arguments.level)
     scene.water.SetTime(arguments.time or 0.0)
     scene.write(arguments.out)
-    tell_picture(arguments, scene, arguments.time or 0.0)
+    tell_picture(arguments, scene, arguments.time or 0.0, arguments.level)
     return DONE
 
 
-def tell_picture(arguments, scene, time, times_text=""):
+def tell_picture(arguments, scene, time, level, times_text=""):
     """Print what was written; a number for each value with --json."""
     decision = scene.water.GetReflectionPass().GetDecisionAsString()
     width, height = arguments.size
     if arguments.json:
         print_json({"file": arguments.out, "width": width, "height": height, "time": time,
-                    "level": arguments.level if isinstance(arguments.level, float) else scene.water.GetLevel(),
+                    "level": level,
                     "reflection": decision})
     else:
         print(f"{arguments.out}: {width} x {height}, {times_text}reflection {decision}")
@@ -144,7 +144,8 @@ def render_data(arguments):
     water.water.SetTime(time)
     scene.write(arguments.out)
     report(water, is_wet, time)
-    tell_picture(arguments, scene, time, f"{water.times_text(time)}, ")
+    level = arguments.level if isinstance(arguments.level, float) else water.level
+    tell_picture(arguments, scene, time, level, f"{water.times_text(time)}, ")
     return DONE
 
 

@@ -18,8 +18,9 @@ from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter, 
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkPolyDataMapper
 
-from . import vtkWaterActor, vtkWaterSurfaceFilter
+from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 from .errors import heed, raising
+from .measure import WHOLE
 from .readers import ELEVATION, HIGHEST, Surface
 from .solutions import array_of
 from .vertex_data import wrong_components
@@ -118,19 +119,27 @@ class DataWater:
                     self.filter.SetDryDepth(dry_depth)
         self._shown = self.filter if contour else normals_of(self.filter)  # a contour has them
         self._mapper.SetInputConnection(self._shown.GetOutputPort())
-        self.water = scene.water = vtkWaterActor()
+        self._lakes = None if contour else vtkWaterLakes()  # each in its own plane, which a river's slope tilts
+        self.water = scene.water = vtkWaterActor() if contour else self._lakes.GetWater()
         set_look(self.water.GetWaterProperty(), **words)
         self.water.GetWaterProperty().SetVerticalExaggeration(exaggeration)
         if data is not None:
             self._give(data)
         if color_by:
             self._color(color_by, cmap, clim, log_scale)
-        self.water.SetMapper(self._mapper)
-        plane = vtkPlane()
-        plane.SetNormal(0.0, 0.0, 1.0)
-        self.water.SetPlane(plane)
+        if contour:
+            self.water.SetMapper(self._mapper)
+            plane = vtkPlane()
+            plane.SetNormal(0.0, 0.0, 1.0)
+            self.water.SetPlane(plane)
+        else:
+            self._lakes.SetMapper(self._mapper)
+            setattr(self.water, WHOLE, self._mapper)
         self._begin()
-        scene.renderer.AddActor(self.water)
+        if contour:
+            scene.renderer.AddActor(self.water)
+        else:
+            self._lakes.AddTo(scene.renderer)
 
     def show(self, time):
         """Show the water of a time of the file; returns whether anything is wet then."""
@@ -139,6 +148,11 @@ class DataWater:
         if self._ground is not None:
             self._show_bed(mesh)
         return self.filter.GetOutput().GetNumberOfCells() > 0
+
+    @property
+    def level(self):
+        """Mean height of the water that is shown, as it is drawn."""
+        return self.water.GetLevel() if self._is_contour else self.filter.GetMeanLevel()
 
     def times_text(self, time):
         """A time, and those of the file, for a user."""
@@ -219,7 +233,7 @@ class DataWater:
         with raising(self.filter, LevelArrayName="level", DepthArrayName="depth"):
             self.filter.Update()
         if not self._is_contour:
-            self.water.SetLevel(self.filter.GetMeanLevel())
+            self._lakes.Update()
             return
         self.water.SetLevel(0.0)
         placement = [0.0] * 4

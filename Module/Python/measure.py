@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures the water of a solver's mesh: values at places, the shoreline, the flooded area and the volume.
 
+    mesh = surface(water)                                    # vtkPolyData of all lakes, to export and to filter
     values = probe(water, [(120.0, 45.0), (130.0, 45.0)])    # {"WaterLevel": ..., "WaterDepth": ..., every array}
     values = profile(water, (120.0, 45.0), (130.0, 80.0))    # the same along a line, with "distance"
     values = gauges(solution, [(120.0, 45.0)], depth="h", bed="zb")  # the same at all steps of a file, with "time"
@@ -11,23 +12,62 @@
 Everything is measured in plan, over x and y, in the units of the mesh; vertical exaggeration of the picture
 (VerticalScale, a scale of the actor) has no effect. The argument water is the output of a vtkWaterSurfaceFilter, or a
 vtkWaterActor that shows it. A vtkWaterLakes, or the actor that PyVista's add_water returns, stands for all of its
-lakes; any other actor of a vtkWaterLakes stands for one lake.
+lakes. An actor that is taken from a vtkWaterLakes (GetWater) stands for one lake, and so does the mesh of any actor's
+mapper.
 """
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCellLocator, vtkGenericCell, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges, vtkStripper
+from vtkmodules.vtkRenderingCore import vtkMapper
 
 from . import vtkWaterSurfaceFilter
 from .errors import raising
 from .readers import HIGHEST, polygons_of
 
-__all__ = ["flooded", "flooded_cells", "gauges", "probe", "profile", "shoreline"]
+__all__ = ["flooded", "flooded_cells", "gauges", "probe", "profile", "shoreline", "surface"]
 
+COLORS = "WaterColors"
 DEPTH = "WaterDepth"
+PLANES = "WaterPlaneOrigin", "WaterPlaneNormal", "WaterArea"  # field data of vtkWaterPlanesFilter, for one lake
 WHOLE = "_vtkwater_whole"  # attribute of an actor: the mapper of all lakes that it stands for
+RGB = 3  # VTK_RGB, a format of colours
 NEAR = 1e-6  # of the diagonal of the bounds: places that are nearer are one
+
+
+def surface(water):
+    """Return the surface of a water as it is now, all lakes in one mesh, for writers and filters.
+
+    The mesh of one actor's mapper, ``actor.GetMapper().GetInput()``, is only one of several lakes.
+
+    Parameters
+    ----------
+    water : vtkWaterActor, vtkWaterLakes or vtkPolyData
+
+    Returns
+    -------
+    vtkPolyData
+        The wet part as it is shown, in the coordinates of the mesh: heights include VerticalScale, but no scale or
+        transformation of the actor or the plotter. It has all arrays of the points and cells. If scalars colour the
+        water, their array is the active one, and the array "WaterColors" (3 bytes each, of points or cells as
+        the scalars) has their colours, without reflections and light. The mesh shares its arrays with the water: copy
+        it (DeepCopy) before you change them.
+
+    Raises
+    ------
+    TypeError
+        If water has another type.
+    ValueError
+        If a point of the water is not finite.
+    """
+    shown = vtkPolyData()
+    shown.ShallowCopy(surface_of(water))
+    for name in PLANES:
+        shown.GetFieldData().RemoveArray(name)
+    if not water.IsA("vtkPolyData"):
+        add_colors(shown, mapper_of(water))
+    return shown
 
 
 def probe(water, points):
@@ -356,7 +396,7 @@ def surface_of(water):
     """The surface that a water shows, as it is now; polygons as they are."""
     surface = water
     if not (hasattr(water, "IsA") and water.IsA("vtkPolyData")):
-        mapper = getattr(water, WHOLE, None) or (water.GetMapper() if hasattr(water, "GetMapper") else None)
+        mapper = mapper_of(water)
         if mapper is None:
             raise TypeError("water must be a vtkWaterActor, vtkWaterLakes or vtkPolyData that has a mesh, "
                             f"not {type(water).__name__}")
@@ -371,6 +411,30 @@ def surface_of(water):
             raise ValueError(f"point {wrong[0]} of the water is at ({', '.join(f'{x:g}' for x in places[wrong[0]])}); "
                              "it must be finite")
     return surface
+
+
+def mapper_of(water):
+    """The mapper of a water, or of all lakes that it stands for; None: it has none."""
+    return getattr(water, WHOLE, None) or (water.GetMapper() if hasattr(water, "GetMapper") else None)
+
+
+def add_colors(shown, mapper):
+    """Gives a mesh the colours that a mapper shows; none, if its scalars do not colour it."""
+    if not mapper.GetScalarVisibility():
+        return
+    is_of_cells = reference(0)
+    array = vtkMapper.GetAbstractScalars(shown, mapper.GetScalarMode(), mapper.GetArrayAccessMode(), mapper.GetArrayId(),
+                                         mapper.GetArrayName(), is_of_cells)
+    if array is None or int(is_of_cells) not in (0, 1):
+        return
+    table = mapper.GetLookupTable()
+    if not mapper.GetUseLookupTableScalarRange():
+        table.SetRange(mapper.GetScalarRange())  # as the mapper does before it draws
+    colors = table.MapScalars(array, mapper.GetColorMode(), mapper.GetArrayComponent(), RGB)
+    colors.SetName(COLORS)
+    data = shown.GetCellData() if int(is_of_cells) else shown.GetPointData()
+    data.AddArray(colors)
+    data.SetActiveScalars(array.GetName())
 
 
 def flattened(surface):

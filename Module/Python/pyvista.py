@@ -105,7 +105,9 @@ def add_water(
         With a solver's mesh as the ``surface``: the names of its arrays of the water's depth and of the bed's height,
         of points or cells. Two of ``level``, ``depth`` and ``bed`` define the water. Without ``bed`` the bed is the
         mesh's own z; with only ``level`` the whole mesh is wet. The water ends where the bed reaches its level,
-        between the points, and follows the arrays when they change (:vtk:`vtkWaterSurfaceFilter`).
+        between the points, and follows the arrays when they change (:vtk:`vtkWaterSurfaceFilter`). If the level
+        belongs to cells and the bed to points, give the ``depth`` instead of one of them: solvers write the bed as the
+        level of dry cells, some of which would be shown as water.
 
     flow : str, optional
         An array of the surface's points or cells with the velocity of a current, m/s, 2 or 3 components. It carries
@@ -269,9 +271,9 @@ def add_water(
     -------
     vtkwater.vtkWaterActor
         The water. If the ``surface`` has several planes, it is the water of the largest part; the others copy its
-        look, time and visibility in the next frame, and are removed with it. ``actor.water_property``
-        (``GetWaterProperty()``) holds all settings of the look, ``actor.reflection_pass`` (``GetReflectionPass()``)
-        those of the reflection and its cost.
+        look, time and visibility in the next frame, and are removed with it. ``vtkwater.measure.surface(actor)`` is the
+        mesh of all of them, to export. ``actor.water_property`` (``GetWaterProperty()``) holds all settings of the
+        look, ``actor.reflection_pass`` (``GetReflectionPass()``) those of the reflection and its cost.
 
     Raises
     ------

@@ -28,6 +28,7 @@ from vtkmodules.vtkRenderingCore import (
 
 from . import vtkWaterActor, vtkWaterClearSkySource
 from .errors import raising
+from .measure import mapper_of
 from .pictures import pixels_of, write_picture
 from .readers import ELEVATION
 from .words import SUN_COLOR, SUN_PLACE, set_look
@@ -240,7 +241,7 @@ class Scene:
             if len(dry):  # and their mirror image
                 points = np.concatenate([dry, dry * (1.0, 1.0, -1.0) + (0.0, 0.0, 2.0 * level)])
                 lowest = highest * self._exaggeration
-        mapper = self.water.GetMapper() if self.water and all_of_it else None
+        mapper = mapper_of(self.water) if self.water and all_of_it else None
         if mapper:
             mapper.Update()
             if mapper.GetInput().GetNumberOfPoints():

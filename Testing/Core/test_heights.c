@@ -329,10 +329,82 @@ TEST(places_without_values_tell_nothing)
   assert_true(water_heights_judge(empty.level, NULL, empty.bed, COUNT).wrong == WATER_HEIGHT_NONE);
 }
 
-TESTS(places_without_values_tell_nothing, nine_places_are_too_few, flat_land_tells_nothing,
-  films_of_water_are_no_evidence, dry_places_tell_the_unit_of_a_level_of_0,
-  dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
-  marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
-  a_flat_tank_has_no_wrong_unit, dry_land_tells_the_unit_of_the_level,
-  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found,
-  depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine, two_heights_are_needed)
+// Faces of a slope, of 4 corners each: dry ones with their own bed as the level, and a shore.
+static water_heights_faces faces_of(size_t dry, size_t shore, double rough)
+{
+  water_heights_faces faces = { 0 };
+  for (size_t i = 0; i < dry + shore; ++i)
+  {
+    const double x = i < dry ? 0.1 * (double)i : 0.0;
+    const double beds[4] = { x, x + 1.0, x + 1.0, x };
+    const double share = fmod(0.61803 * (double)i, 1.0);
+    const double level = i < dry ? x + 0.5 + rough * (share - 0.5) : 0.01 + 0.98 * share;
+    water_heights_add_face(level, beds, 4, 0.001, &faces);
+  }
+  return faces;
+}
+
+TEST(levels_of_dry_faces_are_found)
+{
+  const water_heights_faces land = faces_of(300, 100, 0.1);
+  assert_true(land.cut == 400 && land.at_bed >= 300);
+  assert_true(water_heights_are_beds(&land));
+}
+
+// Nor on land that is too rough for the mean of its corners to be its bed.
+TEST(a_shore_is_no_dry_land)
+{
+  const water_heights_faces shore = faces_of(0, 400, 0.0);
+  assert_true(shore.cut == 400 && shore.at_bed > 60 && shore.at_bed < 100);
+  assert_true(!water_heights_are_beds(&shore));
+  const water_heights_faces rough = faces_of(300, 0, 0.9);
+  assert_true(!water_heights_are_beds(&rough));
+}
+
+// A level that is exactly the mean of the corners is dry already.
+TEST(dry_faces_that_are_not_shown_are_no_matter)
+{
+  const water_heights_faces land = faces_of(300, 0, 0.0);
+  assert_true(land.at_bed == 300 && land.wet == 0);
+  assert_true(!water_heights_are_beds(&land));
+}
+
+// A level lake in a regular grid, whose shore is in the middle of its faces.
+TEST(a_level_shore_is_no_dry_land)
+{
+  water_heights_faces faces = { 0 };
+  for (int i = 0; i < 100; ++i)
+  {
+    const double beds[4] = { 0.0, 1.0, 1.0, 0.0 };
+    water_heights_add_face(0.55, beds, 4, 0.001, &faces);
+  }
+  assert_true(faces.cut == 100 && faces.at_bed == 100);
+  assert_true(!water_heights_are_beds(&faces));
+}
+
+TEST(a_few_faces_and_those_without_values_tell_nothing)
+{
+  const water_heights_faces few = faces_of(19, 0, 0.1);
+  const water_heights_faces enough = faces_of(80, 0, 0.1);
+  assert_true(few.cut == 19 && !water_heights_are_beds(&few));
+  assert_true(water_heights_are_beds(&enough));
+  water_heights_faces none = { 0 };
+  const double beds[3] = { 0.0, 1.0, (double)NAN };
+  water_heights_add_face(0.5, beds, 3, 0.0, &none);
+  water_heights_add_face(0.5, beds, 0, 0.0, &none);
+  water_heights_add_face((double)NAN, beds, 2, 0.0, &none);
+  water_heights_add_face(0.0, beds, 2, 0.0, &none);
+  water_heights_add_face(1.0, beds, 2, 0.0, &none);
+  assert_true(none.cut == 0 && !water_heights_are_beds(&none));
+}
+
+TESTS(levels_of_dry_faces_are_found, dry_faces_that_are_not_shown_are_no_matter,
+  a_shore_is_no_dry_land, a_level_shore_is_no_dry_land,
+  a_few_faces_and_those_without_values_tell_nothing, places_without_values_tell_nothing,
+  nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_evidence,
+  dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
+  no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
+  the_height_in_another_unit_is_found, a_flat_tank_has_no_wrong_unit,
+  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
+  a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
+  two_heights_are_needed)

@@ -22,7 +22,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
 from vtkmodules import vtkIOHDF, vtkIONetCDF, vtkIOXML
-from vtkwater import command, solutions
+from vtkwater import command, measure, solutions
 from vtkwater.data_scenes import COLOR_MAPS, table_of
 from vtkwater.scenes import Scene
 from vtkwater.ugrid import UgridMesh
@@ -344,6 +344,60 @@ def test_two_arrays_say_where_the_water_is(folder, options):
     ground = water.scene._ground.data.GetBounds()
     wt.check_at_most("the bed is the ground, off by",
                      float(np.abs(np.array(ground) - (0, 200, 0, 100, -1, 1)).max()), 1e-6)
+
+
+def river(slope=0.001):
+    """A straight channel, 1 m deep in its middle, that falls along x."""
+    mesh = vtkStructuredGrid()
+    mesh.SetDimensions(101, 61, 1)
+    y, x = (places.ravel() for places in np.meshgrid(np.linspace(0, 1200, 61), np.linspace(0, 2000, 101), indexing="ij"))
+    bed = 10.0 + 12.0 * ((y - 600.0) / 600.0) ** 2 - slope * x
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.stack([x, y, bed], axis=1), deep=True))
+    mesh.SetPoints(points)
+    add_array(mesh, "zb", bed)
+    add_array(mesh, "h", np.maximum(11.0 - slope * x - bed, 0.0))
+    return mesh
+
+
+@pytest.mark.parametrize("options", (("--no-refraction",), ()), ids=("opaque", "clear"))
+def test_a_calm_river_on_a_slope_has_no_patches(folder, options):
+    """Its plane has its slope: a level plane, 1 m over or under the water, reflects the bed that lies under the water.
+    Along the river the colours of opaque water hardly vary, and those of clear water have no steps."""
+    write_xml(folder / "river.vts", river())
+    water = water_of(folder, folder / "river.vts", *DATA, *options, "--size", "480x300")
+    water.show(0.0)
+    picture = water.scene.picture().astype(int)
+    x = np.linspace(100.0, 1900.0, 150)
+    widest, steepest = 0, 0
+    for y in (540.0, 600.0, 660.0):
+        colors = []
+        for place in x:
+            water.scene.renderer.SetWorldPoint(place, y, 11.0 - 0.001 * place, 1.0)
+            water.scene.renderer.WorldToDisplay()
+            column, row, _ = water.scene.renderer.GetDisplayPoint()
+            colors.append(picture[picture.shape[0] - 1 - int(row), int(column)])
+        widest = max(widest, int(np.ptp(colors, axis=0).max()))
+        steepest = max(steepest, int(np.abs(np.diff(colors, axis=0)).max()))
+    if options:
+        wt.check_at_most("range of the colours, of 255", widest, 6)
+    wt.check_at_most("largest step of the colours, of 255", steepest, 5)
+    wt.check_at_most("mean level off by", abs(water.level - 10.0), 0.01)
+
+
+def test_lakes_at_two_levels_have_their_own_planes(folder):
+    """And are measured, and followed by the view, as one water."""
+    mesh = river(0.0)
+    x = np.array([mesh.GetPoint(i)[0] for i in range(mesh.GetNumberOfPoints())])
+    add_array(mesh, "zb", vtk_to_numpy(mesh.GetPointData().GetArray("zb")) + np.where(np.abs(x - 1000.0) < 50.0, 9.0, 0.0))
+    add_array(mesh, "h", np.where(np.abs(x - 1000.0) < 50.0, 0.0, np.maximum(
+        np.where(x < 1000.0, 11.0, 13.0) - vtk_to_numpy(mesh.GetPointData().GetArray("zb")), 0.0)))
+    write_xml(folder / "lakes.vts", mesh)
+    water = water_of(folder, folder / "lakes.vts", *DATA, "--size", SIZE)
+    water.show(0.0)
+    waters = [actor for actor in water.scene.renderer.GetActors() if actor.IsA("vtkWaterActor")]
+    wt.check_equal("levels", sorted(round(actor.GetLevel(), 6) for actor in waters), [11.0, 13.0])
+    wt.check_equal("area", measure.flooded(water.water), measure.flooded(water.filter.GetOutput()))
 
 
 def test_a_bed_that_moves_is_followed(folder):

@@ -185,6 +185,74 @@ def test_all_lakes_are_measured():
         measure.probe(lakes, [(1, 1), (11, 1)])["WaterDepth"] - (2.1, 3.1)).max()), 1e-9)
 
 
+@pytest.mark.parametrize("of_points", (True, False), ids=("points", "cells"))
+def test_the_surface_has_all_lakes_and_their_colours(tmp_path, of_points):
+    """One mesh to export: its area, values and colours are those of both lakes; the first actor's mesh has one only."""
+    both = vtkAppendPolyData()
+    for x in (0.0, 10.0):
+        both.AddInputData(polygon_of([(x, 0), (x + 4, 0), (x + 4, 4), (x, 4)], depth=lambda x, y: 2.0 + 0.1 * x))
+    both.Update()
+    places = vtk_to_numpy(both.GetOutput().GetPoints().GetData())
+    places[:, 2] = places[:, 0] >= 10.0  # two levels
+    add_array(both.GetOutput(), "kind", [0.0, 1.0], True)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(both.GetOutput())
+    if of_points:
+        mapper.SetScalarModeToUsePointFieldData()
+    else:
+        mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("WaterDepth" if of_points else "kind")
+    mapper.SetLookupTable(table_of("viridis", (0.0, 1.0)))
+    mapper.SetScalarRange((2.0, 3.4) if of_points else (0.0, 1.0))
+    lakes = vtkWaterLakes()
+    lakes.SetMapper(mapper)
+    lakes.Update()
+    surface = measure.surface(lakes)
+    wt.check_equal("area", measure.flooded(surface), measure.flooded(lakes))
+    wt.check_equal("area of the first actor's mesh", measure.flooded(lakes.GetWater().GetMapper().GetInput())[0], 16.0)
+    wt.check_equal("values", measure.probe(surface, [(1, 1), (11, 1)])["WaterDepth"].round(9).tolist(), [2.1, 3.1])
+    data = surface.GetPointData() if of_points else surface.GetCellData()
+    wt.check_equal("active array", data.GetScalars().GetName(), "WaterDepth" if of_points else "kind")
+    colors = vtk_to_numpy(data.GetArray("WaterColors"))
+    ends = [0, -1] if not of_points else [int(np.argmin(vtk_to_numpy(data.GetScalars()))),
+                                          int(np.argmax(vtk_to_numpy(data.GetScalars())))]
+    wt.check_at_most("colours of both ends off by", float(np.abs(
+        colors[ends] - np.array([(0x44, 0x01, 0x54), (0xFD, 0xE7, 0x25)], float)).max()), 2)
+    names = [surface.GetFieldData().GetArrayName(i) for i in range(surface.GetFieldData().GetNumberOfArrays())]
+    wt.check_equal("field data", names, [])
+    wt.check_equal("the water keeps its arrays", both.GetOutput().GetPointData().GetArray("WaterColors"), None)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(surface)
+    writer.SetFileName(str(tmp_path / "lakes.vtp"))
+    writer.Write()
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(tmp_path / "lakes.vtp"))
+    reader.Update()
+    wt.check_equal("area in the file", measure.flooded(reader.GetOutput())[0], 32.0)
+
+
+def test_a_surface_of_one_lake_is_clean():
+    """Without the field data of its plane, and without colours if no scalars show; other things are refused."""
+    _, made, mesh = slope()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(made)
+    mapper.ScalarVisibilityOff()
+    lakes = vtkWaterLakes()
+    lakes.SetMapper(mapper)
+    lakes.Update()
+    actor = lakes.GetWater()
+    wt.check_equal("field data of a lake's mesh", actor.GetMapper().GetInput().GetFieldData().GetNumberOfArrays(), 3)
+    for water in (actor, lakes, made, actor.GetMapper().GetInput()):
+        surface = measure.surface(water)
+        wt.check_equal("field data", surface.GetFieldData().GetNumberOfArrays(), 0)
+        wt.check_equal("colours", surface.GetPointData().GetArray("WaterColors"), None)
+        wt.check_equal("area and volume", measure.flooded(surface), measure.flooded(made))
+    wt.check_equal("the lake's own field data", actor.GetMapper().GetInput().GetFieldData().GetNumberOfArrays(), 3)
+    for water in (None, 3.0, mesh_of):
+        with pytest.raises(TypeError, match="water must be a vtkWaterActor, vtkWaterLakes or vtkPolyData"):
+            measure.surface(water)
+
+
 def test_the_shoreline_is_where_the_bed_reaches_the_level():
     """On the slope one line, with nothing of the mesh's border; its length is that of the line on the map."""
     _, surface, mesh = slope()
@@ -378,10 +446,9 @@ def test_a_pick_gives_the_point_and_its_values(scale):
 def test_other_tools_get_the_geometry_with_its_colours(tmp_path):
     """VTP keeps all arrays, PLY and glTF the colours, STL the triangles."""
     view, water, _ = scene()
-    surface = water.GetMapper().GetInput()
+    surface = measure.surface(water)
     writers = {"vtp": vtkXMLPolyDataWriter(), "stl": vtkSTLWriter(), "ply": vtkPLYWriter()}
-    writers["ply"].SetArrayName("x")
-    writers["ply"].SetLookupTable(water.GetMapper().GetLookupTable())
+    writers["ply"].SetArrayName("WaterColors")
     for kind, writer in writers.items():
         writer.SetInputData(surface)
         writer.SetFileName(str(tmp_path / f"water.{kind}"))

@@ -706,6 +706,27 @@ def test_real_water_has_one_unit(bed, sea, wave, names):
     wt.check_equal("warnings", warnings_of(mesh, **names), [])
 
 
+def test_levels_of_cells_that_are_their_beds_are_told_once():
+    """Where the cells' own bed is not the mean of their corners, as in hills, dry cells would be water: a warning says
+    so. There is none with the depth or with the bed of the cells, for levels of wet cells alone, and on plane slopes."""
+    mesh = flooded(0.4, True)
+    level = vtk_to_numpy(mesh.GetCellData().GetArray("zeta"))
+    depth = vtk_to_numpy(mesh.GetCellData().GetArray("h"))
+    names = {"LevelArrayName": "zeta", "BedArrayName": "zb"}
+    wt.check_equal("warnings on a plane slope", warnings_of(mesh, **names), [])
+    level += np.where(depth > 0.0, 0.0, np.random.default_rng(1).uniform(-0.005, 0.005, len(level)))
+    mesh.GetCellData().GetArray("zeta").Modified()
+    said = warnings_of(mesh, **names)
+    wt.check_equal("warnings", len(said), 1)
+    words = ("'zeta'", "'zb'", "Name the array of depths")
+    wt.check_equal(f"words in: {said[0]}", [word for word in words if word not in said[0]], [])
+    wt.check_equal("with the depth", warnings_of(mesh, LevelArrayName="zeta", DepthArrayName="h"), [])
+    wt.check_equal("with depth and bed", warnings_of(mesh, DepthArrayName="h", BedArrayName="zb"), [])
+    level[depth <= 0.0] = np.nan
+    mesh.GetCellData().GetArray("zeta").Modified()
+    wt.check_equal("of wet cells alone", warnings_of(mesh, **names), [])
+
+
 @pytest.mark.parametrize("of_cells", (False, True), ids=("points", "cells"))
 def test_depths_that_are_all_negative_are_told_once(of_cells):
     """By a warning with the array's name and range; it is no matter of units. A dry step is all 0, or NaN."""

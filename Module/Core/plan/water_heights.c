@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_heights.c: do a solver's level, depth and bed have one unit?
+// water_heights.c: do a solver's level, depth and bed have one unit, and is its level that of
+// water?
 #include "water_heights.h"
 
 #include <math.h>
@@ -15,7 +16,14 @@ static const double share_under = 0.05;
 static const double tiny = 1e-3; // of the largest height: one that is no evidence of a factor
 static const double balance =
   0.1;                          // of the variation of depth and bed: how much a calm level varies
-static const size_t least = 10; // places
+static const size_t least = 10; // places, or faces that are wet
+// Of the heights of a face's corners: how near to their mean a solver's own bed of a face is. A
+// shore is there in a fifth of the faces that it cuts.
+static const double near_mean = 0.1;
+static const double most_at_bed = 0.5; // of the cut faces
+static const size_t least_faces = 20;  // cut
+static const double spread_of_land =
+  4.0; // times a face's relief, from the lowest level to the highest
 
 typedef struct range
 {
@@ -246,4 +254,36 @@ water_heights_verdict water_heights_judge(
   const bool is_wrong = verdict.factor > 0.0 || is_under_all(levels, of_beds, count);
   verdict.wrong = is_wrong ? WATER_HEIGHT_LEVEL : WATER_HEIGHT_NONE;
   return verdict;
+}
+
+void water_heights_add_face(
+  double level, const double* beds, size_t count, double dry_depth, water_heights_faces* faces)
+{
+  const range corners = range_of(beds, count);
+  double mean = 0.0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    mean += beds[i] / (double)count; // not finite if a corner is not
+  }
+  if (!isfinite(mean) || !(level > corners.low) || !(level < corners.high))
+  {
+    return;
+  }
+  ++faces->cut;
+  const double relief = corners.high - corners.low;
+  if (fabs(level - mean) <= near_mean * relief)
+  {
+    faces->low = faces->at_bed == 0 ? level : fmin(faces->low, level);
+    faces->high = faces->at_bed == 0 ? level : fmax(faces->high, level);
+    faces->relief += relief;
+    ++faces->at_bed;
+    faces->wet += level > mean + dry_depth ? 1 : 0;
+  }
+}
+
+bool water_heights_are_beds(const water_heights_faces* faces)
+{
+  return faces->cut >= least_faces && faces->wet >= least &&
+    (double)faces->at_bed > most_at_bed * (double)faces->cut &&
+    (faces->high - faces->low) * (double)faces->at_bed > spread_of_land * faces->relief;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_heights.h: do a solver's level, depth and bed have one unit?
+// water_heights.h: do a solver's level, depth and bed have one unit, and is its level that of
+// water?
 //
 // With all three, a wrong unit breaks level = bed + depth, at wet places and, where solvers write
 // the bed as the level, at dry ones. With depth and bed alone, a unit is wrong if their sum is a
@@ -10,6 +11,7 @@
 #ifndef water_heights_h
 #define water_heights_h
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -37,6 +39,27 @@ typedef struct water_heights_verdict
 // levels, depths, beds  count numbers each; NULL: not given. Without two of them nothing is wrong.
 water_heights_verdict water_heights_judge(
   const double* levels, const double* depths, const double* beds, size_t count);
+
+// Faces with one level each, and with beds at their corners: of those that the shore cuts, how many
+// have their own bed as the level, as solvers write it where a face is dry? Such a level is land,
+// which looks like a puddle if the bed is known at the corners only. Begins as 0.
+typedef struct water_heights_faces
+{
+  size_t cut;    // the level is between the lowest and the highest corner
+  size_t at_bed; // of these, it is near the mean of the corners
+  size_t wet;    // of these, it is over the mean by more than the dry depth
+  double relief; // sum of highest less lowest corner of these
+  double low;    // of the levels of these
+  double high;
+} water_heights_faces;
+
+// Adds a face. Nothing is added if the level or a corner is not finite.
+void water_heights_add_face(
+  double level, const double* beds, size_t count, double dry_depth, water_heights_faces* faces);
+
+// Is the level of most of the cut faces their bed, and are some of them wet? The shore of water
+// cuts faces at any height, and at one level: neither is so on land.
+bool water_heights_are_beds(const water_heights_faces* faces);
 
 #ifdef __cplusplus
 }

@@ -97,6 +97,7 @@ void vtkWaterColumns::Make(vtkPolyData* mesh, const Given& given)
   this->IsCellWet.clear();
   this->Dykes.clear();
   this->AreCellsKnown = false;
+  this->Faces = {};
   if (given.AreOfCells || (given.Bed && given.IsBedOfCells))
   {
     this->ReadBeds(mesh, given);
@@ -218,6 +219,8 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
   const Values givenBeds(given.Bed);
   std::vector<Mean> levels = MeansOf(mesh);
   std::vector<Mean> beds = MeansOf(mesh);
+  const bool areLevelsInDoubt = given.Level && given.Bed && !given.Depth && !given.IsBedOfCells;
+  std::vector<double> corners;
   this->IsCellWet.assign(static_cast<size_t>(mesh->GetNumberOfCells()), 0);
   vtkWaterForEachCell(
     mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
@@ -228,6 +231,14 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
       const water_column column =
         water_shore_column(givenLevels[cell], bed, givenDepths[cell], given.DryDepth);
       this->IsCellWet[static_cast<size_t>(cell)] = column.is_wet;
+      if (areLevelsInDoubt)
+      {
+        corners.clear();
+        std::for_each(points, points + count,
+          [&](vtkIdType point) { corners.push_back(this->Beds[static_cast<size_t>(point)]); });
+        water_heights_add_face(
+          givenLevels[cell], corners.data(), corners.size(), given.DryDepth, &this->Faces);
+      }
       for (vtkIdType i = 0; i < count; ++i)
       {
         beds[static_cast<size_t>(points[i])].Add(column.bed);

@@ -10,6 +10,7 @@
 #include "vtkWaterCellChunks.h"
 #include "vtkWaterKept.h"
 #include "vtkWaterShoreCells.h"
+#include "water_heights.h"
 #include "water_shore.h"
 
 #include <vector>
@@ -51,6 +52,10 @@ public:
   // Do the data say where the water ends? Else the depths are of no use but their signs.
   bool HasDepths() const { return this->AreDepthsKnown; }
 
+  // Is the level of most cells that the shore cuts their own bed, as of dry land? Known if the
+  // level is of cells, the bed of points, and there is no depth.
+  bool AreLevelsBeds() const { return water_heights_are_beds(&this->Faces); }
+
   // Cells that the solver calls dry though their bed lies below the water beside them, or that no
   // water is beside.
   const std::vector<vtkIdType>& GetDykes() const { return this->Dykes; }
@@ -77,6 +82,7 @@ private:
   std::vector<double> Beds;
   std::vector<char> IsWet;     // points: the bed alone says where the water ends
   std::vector<char> IsCellWet; // of data of cells; else empty
+  water_heights_faces Faces = {};
   std::vector<vtkIdType> Dykes;
   vtkWaterCellChunks Chunks; // of the mesh
   vtkWaterShoreCells Cells;  // if they are known
