@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <vector>
@@ -35,6 +36,7 @@ namespace
 {
 constexpr const char* kLevel = vtkWaterColumns::LevelName;
 constexpr const char* kDepth = vtkWaterColumns::DepthName;
+constexpr double kContradiction = 0.01; // of the largest depth: more between three arrays is told
 constexpr vtkIdType kSample = 4096; // places whose heights are compared
 
 // Names of all arrays, for an error.
@@ -164,13 +166,18 @@ std::string RangeOf(const std::string& name, vtkDataArray* array)
   return text.str();
 }
 
-// Is a number not below 0? Mostly the first is, so that no array need be read for its range.
+// Is a number above 0? Mostly one of a few is, so that no array need be read for its range.
 bool HasDepth(vtkDataArray* depth)
 {
+  const auto isWet = [](double value) { return vtkMath::IsFinite(value) && value > 0.0; };
+  const std::vector<double> few = SampleOf(depth);
+  if (std::any_of(few.begin(), few.end(), isWet))
+  {
+    return true;
+  }
   const vtkIdType count = depth->GetNumberOfTuples();
   vtkIdType i = 0;
-  while (i < count &&
-    !(vtkMath::IsFinite(depth->GetComponent(i, 0)) && depth->GetComponent(i, 0) >= 0.0))
+  while (i < count && !isWet(depth->GetComponent(i, 0)))
   {
     ++i;
   }
@@ -283,6 +290,10 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
       depths.empty() ? nullptr : depths.data(), beds.data(), beds.size());
   if (verdict.wrong == WATER_HEIGHT_NONE)
   {
+    if (level && depth)
+    {
+      this->CheckSum(levels, depths, beds);
+    }
     return;
   }
   this->AreUnitsTold = true;
@@ -303,6 +314,33 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurfaceFilter::CheckSum(const std::vector<double>& levels,
+  const std::vector<double>& depths, const std::vector<double>& beds)
+{
+  double deepest = 0.0;
+  double most = 0.0;
+  for (size_t i = 0; i < depths.size(); ++i)
+  {
+    const double off = std::abs(levels[i] - beds[i] - depths[i]);
+    if (depths[i] > this->DryDepth && std::isfinite(off)) // neither is NaN
+    {
+      deepest = std::max(deepest, depths[i]);
+      most = std::max(most, off);
+    }
+  }
+  if (most <= std::max(kContradiction * deepest, this->DryDepth))
+  {
+    return;
+  }
+  this->AreUnitsTold = true;
+  vtkWarningMacro("in wet places the depth '"
+    << this->DepthArrayName << "' differs by up to " << most << " from the level '"
+    << this->LevelArrayName << "' minus the bed '" << this->BedArrayName
+    << "'. The depths are at most " << deepest << " there, and the three must agree within "
+    << kContradiction << " of that. Name two of them.");
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
 {
   if (!depth || HasDepth(depth))
@@ -311,7 +349,8 @@ bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
   }
   double range[2];
   depth->GetFiniteRange(range);
-  if (!(range[0] <= range[1] && range[1] < 0.0)) // the first is above the second if none is finite
+  const double noise = range[1] < 0.0 ? 0.0 : this->DryDepth; // of a dry step
+  if (!(range[0] <= range[1] && range[0] < -noise)) // the first is above the second if none is finite
   {
     return true;
   }
@@ -319,7 +358,7 @@ bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
   {
     this->IsSignTold = true;
     vtkWarningMacro("the array '"
-      << this->DepthArrayName << "' is " << range[0] << " to " << range[1]
+      << this->DepthArrayName << "' is " << range[0] << " to " << range[1] + 0.0 // not -0
       << "; depths must be positive where there is water. There is no water. If its values are the "
          "bed's heights, name it as the bed; otherwise change its sign.");
   }
