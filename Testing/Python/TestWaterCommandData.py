@@ -544,7 +544,7 @@ FAILS = (
     (("missing.nc", *DATA), ("missing.nc: no such file",)),
     (("volume.vti", *DATA), ("cells have 3 dimensions", "--contour")),
     (("slope.pvd", "--contour", "h"), ("cells have 2 dimensions; they must have 3",)),
-    (("dry.vts", *DATA), ("no place is wet at any time",)),
+    (("dry.vts", *DATA), ("no place is wet: 'h' is ",)),
     (("slope.pvd", *DATA, "--color-by", "h", "--cmap", "mud"), ("unknown colour map 'mud'", "viridis")),
     (("slope.pvd", *DATA, "--color-by", "h", "--clim", "3:1"), ("(3, 1)", "both must be finite")),
     (("slope.pvd", *DATA, "--color-by", "h", "--log-scale", "--clim", "0:1"), ("(0, 1)", "both must be above 0")),

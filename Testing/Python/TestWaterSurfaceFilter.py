@@ -736,8 +736,9 @@ def test_depths_of_the_wrong_sign_are_told_with_zeros_on_dry_land(of_cells):
     wt.check_equal("warnings", len(said), 1)
     words = ("'h' is -", " to 0;", "must be positive", "There is no water")
     wt.check_equal(f"words in: {said[0]}", [word for word in words if word not in said[0]], [])
-    depths = vtk_to_numpy((mesh.GetCellData() if of_cells else mesh.GetPointData()).GetArray("h"))
-    depths *= 1e-9
+    array = (mesh.GetCellData() if of_cells else mesh.GetPointData()).GetArray("h")
+    vtk_to_numpy(array)[:] *= 1e-9
+    array.Modified()
     wt.check_equal("warnings of a dry step", warnings_of(mesh, DepthArrayName="h"), [])
 
 
