@@ -10,6 +10,7 @@ of an unknown type, not of the type that its suffix claims, or lacks one of the 
 """
 import bisect
 import math
+import warnings
 import weakref
 from collections.abc import Mapping
 from pathlib import Path
@@ -76,6 +77,11 @@ class Solution:
     note : str
         A message about an unexpected result, such as steps that cannot be interpolated; empty if there is none.
 
+    Warns
+    -----
+    UserWarning
+        If two files of one time in a .pvd file have the same bounds and number of points.
+
     Raises
     ------
     FileError
@@ -84,7 +90,7 @@ class Solution:
     def __init__(self, file, arrays=(), is_volume=False, is_lonlat=None, read_ahead=False):
         is_list = isinstance(file, Mapping)
         self.path = "GeoTIFF files" if is_list else Path(file)
-        self.note = ""
+        self._differ = ""
         self._arrays = tuple(arrays)
         self._is_volume = is_volume
         self._factors = {}
@@ -104,6 +110,10 @@ class Solution:
         self._between.SetInputConnection(self._pipeline.GetOutputPort())
         if read_ahead and len(self.times) > KEPT_STEPS:
             self._ahead = ahead
+
+    @property
+    def note(self):
+        return "; ".join(filter(None, (getattr(self._source, "note", ""), self._differ)))
 
     def step(self, i):
         """Return the mesh of a step, from 0: vtkPolyData, or vtkUnstructuredGrid of a volume. Do not change it."""
@@ -138,8 +148,8 @@ class Solution:
         if time == self.times[i]:
             return mesh
         if not have_same_cells(mesh, self.step(i + 1)):
-            self.note = (f"the meshes of steps {i} and {i + 1} differ: "
-                         "between them, the earlier step is shown")
+            self._differ = (f"the meshes of steps {i} and {i + 1} differ: "
+                            "between them, the earlier step is shown")
             return mesh
         with heard(self.path, "a series of meshes to interpolate in"):
             self._between.UpdateTimeStep(time)
@@ -177,7 +187,10 @@ class Solution:
         return self._factors[name]
 
     def _made(self, i):
+        noted = self.note
         data = self._source.read(i)
+        if self.note != noted:
+            warnings.warn(f"{self.path}: {self._source.note}", stacklevel=4)
         try:
             mesh = mesh_of(data, self.path, self._is_volume)
         except FileError as error:
