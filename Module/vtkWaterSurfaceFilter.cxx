@@ -37,7 +37,7 @@ namespace
 constexpr const char* kLevel = vtkWaterColumns::LevelName;
 constexpr const char* kDepth = vtkWaterColumns::DepthName;
 constexpr double kContradiction = 0.01; // of the largest depth: more between three arrays is told
-constexpr vtkIdType kSample = 4096; // places whose heights are compared
+constexpr vtkIdType kSample = 4096;     // places whose heights are compared
 
 // Names of all arrays, for an error.
 std::string NamesOf(vtkDataSet* data)
@@ -337,7 +337,7 @@ void vtkWaterSurfaceFilter::CheckSum(const std::vector<double>& levels,
     << this->DepthArrayName << "' differs by up to " << most << " from the level '"
     << this->LevelArrayName << "' minus the bed '" << this->BedArrayName
     << "'. The depths are at most " << deepest << " there, and the three must agree within "
-    << kContradiction << " of that. Name two of them.");
+    << 100.0 * kContradiction << " % of that. Name two of them.");
 }
 
 //------------------------------------------------------------------------------
@@ -350,7 +350,8 @@ bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
   double range[2];
   depth->GetFiniteRange(range);
   const double noise = range[1] < 0.0 ? 0.0 : this->DryDepth; // of a dry step
-  if (!(range[0] <= range[1] && range[0] < -noise)) // the first is above the second if none is finite
+  if (!(range[0] <= range[1] &&
+        range[0] < -noise)) // the first is above the second if none is finite
   {
     return true;
   }
