@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <sstream>
 #include <vector>
@@ -36,8 +35,7 @@ namespace
 {
 constexpr const char* kLevel = vtkWaterColumns::LevelName;
 constexpr const char* kDepth = vtkWaterColumns::DepthName;
-constexpr double kContradiction = 0.01; // of the largest depth: more between three arrays is told
-constexpr vtkIdType kSample = 4096;     // places whose heights are compared
+constexpr vtkIdType kSample = 4096; // places whose heights are compared
 
 // Names of all arrays, for an error.
 std::string NamesOf(vtkDataSet* data)
@@ -317,27 +315,18 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
 void vtkWaterSurfaceFilter::CheckSum(const std::vector<double>& levels,
   const std::vector<double>& depths, const std::vector<double>& beds)
 {
-  double deepest = 0.0;
-  double most = 0.0;
-  for (size_t i = 0; i < depths.size(); ++i)
-  {
-    const double off = std::abs(levels[i] - beds[i] - depths[i]);
-    if (depths[i] > this->DryDepth && std::isfinite(off)) // neither is NaN
-    {
-      deepest = std::max(deepest, depths[i]);
-      most = std::max(most, off);
-    }
-  }
-  if (most <= std::max(kContradiction * deepest, this->DryDepth))
+  const water_heights_sum sum =
+    water_heights_compare(levels.data(), depths.data(), beds.data(), depths.size(), this->DryDepth);
+  if (!sum.is_wrong)
   {
     return;
   }
   this->AreUnitsTold = true;
   vtkWarningMacro("in wet places the depth '"
-    << this->DepthArrayName << "' differs by up to " << most << " from the level '"
+    << this->DepthArrayName << "' differs by up to " << sum.off << " from the level '"
     << this->LevelArrayName << "' minus the bed '" << this->BedArrayName
-    << "'. The depths are at most " << deepest << " there, and the three must agree within "
-    << 100.0 * kContradiction << " % of that. Name two of them.");
+    << "'. The depths are at most " << sum.deepest << " there, and the three must agree within "
+    << 100.0 * sum.share << " % of that. Name two of them.");
 }
 
 //------------------------------------------------------------------------------
@@ -350,8 +339,8 @@ bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
   double range[2];
   depth->GetFiniteRange(range);
   const double noise = range[1] < 0.0 ? 0.0 : this->DryDepth; // of a dry step
-  if (!(range[0] <= range[1] &&
-        range[0] < -noise)) // the first is above the second if none is finite
+  const bool isKnown = range[0] <= range[1]; // the first is above the second if none is finite
+  if (!isKnown || range[0] >= -noise)
   {
     return true;
   }

@@ -329,10 +329,30 @@ TEST(places_without_values_tell_nothing)
   assert_true(water_heights_judge(empty.level, NULL, empty.bed, COUNT).wrong == WATER_HEIGHT_NONE);
 }
 
-TESTS(places_without_values_tell_nothing, nine_places_are_too_few, flat_land_tells_nothing,
-  films_of_water_are_no_evidence, dry_places_tell_the_unit_of_a_level_of_0,
-  dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
-  marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
-  a_flat_tank_has_no_wrong_unit, dry_land_tells_the_unit_of_the_level,
-  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found,
-  depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine, two_heights_are_needed)
+TEST(three_heights_must_agree_where_it_is_wet)
+{
+  coast fine = coast_of(320.0, 400.0, 384.0, 0.1);
+  water_heights_sum sum = water_heights_compare(fine.level, fine.depth, fine.bed, COUNT, 1e-3);
+  assert_true(sum.is_wrong == 0 && sum.off < 1e-9 && sum.deepest > 50.0);
+  for (int i = 0; i < COUNT; ++i)
+  {
+    fine.level[i] += fine.depth[i] > 0.0 ? 0.4 : 9.0; // dry places do not count
+  }
+  sum = water_heights_compare(fine.level, fine.depth, fine.bed, COUNT, 1e-3);
+  assert_true(sum.is_wrong == 0 && fabs(sum.off - 0.4) < 1e-9);
+  for (int i = 0; i < COUNT; ++i)
+  {
+    fine.bed[i] = i % 7 == 3 ? (double)NAN : fine.bed[i] - 2.0;
+  }
+  sum = water_heights_compare(fine.level, fine.depth, fine.bed, COUNT, 1e-3);
+  assert_true(sum.is_wrong == 1 && fabs(sum.off - 2.4) < 1e-9);
+}
+
+TESTS(three_heights_must_agree_where_it_is_wet, places_without_values_tell_nothing,
+  nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_evidence,
+  dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
+  no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
+  the_height_in_another_unit_is_found, a_flat_tank_has_no_wrong_unit,
+  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
+  a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
+  two_heights_are_needed)

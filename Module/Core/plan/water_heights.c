@@ -16,6 +16,7 @@ static const double tiny = 1e-3; // of the largest height: one that is no eviden
 static const double balance =
   0.1;                          // of the variation of depth and bed: how much a calm level varies
 static const size_t least = 10; // places
+static const double share_off = 0.01; // of the largest depth, that level, depth and bed may be off
 
 typedef struct range
 {
@@ -246,4 +247,21 @@ water_heights_verdict water_heights_judge(
   const bool is_wrong = verdict.factor > 0.0 || is_under_all(levels, of_beds, count);
   verdict.wrong = is_wrong ? WATER_HEIGHT_LEVEL : WATER_HEIGHT_NONE;
   return verdict;
+}
+
+water_heights_sum water_heights_compare(
+  const double* levels, const double* depths, const double* beds, size_t count, double dry_depth)
+{
+  water_heights_sum sum = { 0.0, 0.0, share_off, 0 };
+  for (size_t i = 0; i < count; ++i)
+  {
+    const double off = fabs(levels[i] - beds[i] - depths[i]);
+    if (depths[i] > dry_depth && isfinite(off))
+    {
+      sum.off = fmax(sum.off, off);
+      sum.deepest = fmax(sum.deepest, depths[i]);
+    }
+  }
+  sum.is_wrong = sum.off > fmax(sum.share * sum.deepest, dry_depth);
+  return sum;
 }

@@ -38,6 +38,20 @@ typedef struct water_heights_verdict
 water_heights_verdict water_heights_judge(
   const double* levels, const double* depths, const double* beds, size_t count);
 
+// How far level, depth and bed contradict each other in wet places.
+typedef struct water_heights_sum
+{
+  double off;     // the largest difference of level - bed and depth
+  double deepest; // the largest depth
+  double share;   // of the deepest that may be off
+  int is_wrong;   // is off more than that, and than the dry depth?
+} water_heights_sum;
+
+// Compares level - bed with depth where the depth exceeds dry_depth. Values that are not finite are
+// ignored.
+water_heights_sum water_heights_compare(
+  const double* levels, const double* depths, const double* beds, size_t count, double dry_depth);
+
 #ifdef __cplusplus
 }
 #endif
