@@ -164,13 +164,18 @@ std::string RangeOf(const std::string& name, vtkDataArray* array)
   return text.str();
 }
 
-// Is a number not below 0? Mostly the first is, so that no array need be read for its range.
+// Is a number above 0? Mostly one of a few is, so that no array need be read for its range.
 bool HasDepth(vtkDataArray* depth)
 {
+  const auto isWet = [](double value) { return vtkMath::IsFinite(value) && value > 0.0; };
+  const std::vector<double> few = SampleOf(depth);
+  if (std::any_of(few.begin(), few.end(), isWet))
+  {
+    return true;
+  }
   const vtkIdType count = depth->GetNumberOfTuples();
   vtkIdType i = 0;
-  while (i < count &&
-    !(vtkMath::IsFinite(depth->GetComponent(i, 0)) && depth->GetComponent(i, 0) >= 0.0))
+  while (i < count && !isWet(depth->GetComponent(i, 0)))
   {
     ++i;
   }
@@ -284,6 +289,10 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
       depths.empty() ? nullptr : depths.data(), beds.data(), beds.size());
   if (verdict.wrong == WATER_HEIGHT_NONE)
   {
+    if (level && depth)
+    {
+      this->CheckSum(levels, depths, beds);
+    }
     return;
   }
   this->AreUnitsTold = true;
@@ -304,6 +313,24 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurfaceFilter::CheckSum(const std::vector<double>& levels,
+  const std::vector<double>& depths, const std::vector<double>& beds)
+{
+  const water_heights_sum sum =
+    water_heights_compare(levels.data(), depths.data(), beds.data(), depths.size(), this->DryDepth);
+  if (!sum.is_wrong)
+  {
+    return;
+  }
+  this->AreUnitsTold = true;
+  vtkWarningMacro("in wet places the depth '"
+    << this->DepthArrayName << "' differs by up to " << sum.off << " from the level '"
+    << this->LevelArrayName << "' minus the bed '" << this->BedArrayName
+    << "'. The depths are at most " << sum.deepest << " there, and the three must agree within "
+    << 100.0 * sum.share << " % of that. Name two of them.");
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
 {
   if (!depth || HasDepth(depth))
@@ -312,7 +339,9 @@ bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
   }
   double range[2];
   depth->GetFiniteRange(range);
-  if (!(range[0] <= range[1] && range[1] < 0.0)) // the first is above the second if none is finite
+  const double noise = range[1] < 0.0 ? 0.0 : this->DryDepth; // of a dry step
+  const bool isKnown = range[0] <= range[1]; // the first is above the second if none is finite
+  if (!isKnown || range[0] >= -noise)
   {
     return true;
   }
@@ -320,7 +349,7 @@ bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
   {
     this->IsSignTold = true;
     vtkWarningMacro("the array '"
-      << this->DepthArrayName << "' is " << range[0] << " to " << range[1]
+      << this->DepthArrayName << "' is " << range[0] << " to " << range[1] + 0.0 // not -0
       << "; depths must be positive where there is water. There is no water. If its values are the "
          "bed's heights, name it as the bed; otherwise change its sign.");
   }

@@ -34,7 +34,8 @@
  * Level, depth and bed must have the same unit. If one array seems to have another unit, a warning
  * names it, once, with the ranges of all arrays. The checks convert an array between millimetres,
  * centimetres, feet and metres. With all three arrays, there is a warning if level = bed + depth
- * holds only after a conversion. With depth and bed alone, there is one if the surface, their sum,
+ * holds only after a conversion, and otherwise if it is wrong by more than a hundredth of the
+ * largest depth in a wet place. With depth and bed alone, there is one if the surface, their sum,
  * is level only after a conversion of the depth. With level and bed alone, there is one if the
  * levels lie far below the lowest bed, or far above the whole bed but among its heights after a
  * conversion. Other mistakes of units look like real water and are not detected.
@@ -51,6 +52,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -83,9 +85,9 @@ public:
   ///@{
   /**
    * Name of the array with the water's depth above the bed, one number per point or cell. Values
-   * that are not finite, and values not above DryDepth, are dry. If all values of an array are
-   * negative, a warning says so, once. Empty, the default, means that there is no such array; the
-   * level is then required.
+   * that are not finite, and values not above DryDepth, are dry. If no value of an array is above
+   * 0, and one is below -DryDepth, a warning says so, once. Empty, the default, means that there is
+   * no such array; the level is then required.
    */
   void SetDepthArrayName(const std::string& name);
   std::string GetDepthArrayName() const { return this->DepthArrayName; }
@@ -151,6 +153,8 @@ private:
   // there is no surface.
   bool ReadStep(vtkDataSet* input, vtkPolyData* mesh, vtkWaterColumns& columns);
   void CheckUnits(vtkDataArray* level, vtkDataArray* depth, vtkDataArray* bed);
+  void CheckSum(const std::vector<double>& levels, const std::vector<double>& depths,
+    const std::vector<double>& beds);
   bool CheckDepths(vtkDataArray* depth);
 
   std::string LevelArrayName;

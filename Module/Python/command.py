@@ -6,11 +6,12 @@ frames are kept.
 """
 import json
 import os
+import select
 import sys
 import warnings
 from pathlib import Path
 
-from . import __version__, backend, movies, readers, vtkWaterProperty
+from . import __version__, backend, movies, readers, solutions, vtkWaterProperty
 from .arguments import TERRAIN_ELEVATION, make_parser
 from .data_command import check_data, is_data, make_data_water, report, time_of
 from .errors import text_of
@@ -86,8 +87,21 @@ def empty_scene(arguments):
     return scene
 
 
+def check_ground(file):
+    """Raise a Failure if only a solver writes files of this type: the water is defined by its arrays."""
+    path = Path(file)
+    kind = path.suffix.lower()
+    if kind in solutions.KINDS and kind not in readers.KINDS and path.is_file():
+        from .contents import contents_of
+
+        arrays = [f"{array['name']} ({array['of']})" for array in contents_of(path)["arrays"]]
+        raise Failure(f"{file}: a solver's file needs --depth, --level with --bed, or --contour for a volume; its "
+                      f"arrays are: {', '.join(arrays) or 'none'}")
+
+
 def make_scene(arguments, levels):
     """A scene whose ground has its shore at the first level; walls, water and view fit all levels."""
+    check_ground(arguments.file)
     ground = readers.read(arguments.file, arguments.no_data)
     if ground.note:
         print(f"vtkwater: {arguments.file}: {ground.note}", file=sys.stderr)
@@ -166,7 +180,10 @@ def animate(arguments):
         def show(share):
             scene.water.SetLevel(exaggeration * (first + (last - first) * share))
 
-    return write_movie(arguments, scene, show)
+    status = write_movie(arguments, scene, show)
+    if is_data(arguments) and water.solution.note:
+        print(f"vtkwater: {water.solution.path}: {water.solution.note}", file=sys.stderr)
+    return status
 
 
 def write_movie(arguments, scene, show):
@@ -247,6 +264,34 @@ def tell_failure(arguments, text):
 
 def main(arguments=None):
     """Runs the command line; returns the exit status."""
+    try:
+        return run(arguments)
+    except BrokenPipeError:
+        if has_no_reader():
+            return DONE
+        raise
+    finally:
+        if has_no_reader():  # nor has what Python writes when it ends
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def has_no_reader():
+    """Whether the program that reads the output has ended, such as head."""
+    try:
+        sys.stdout.flush()
+        output = sys.stdout.fileno()
+    except BrokenPipeError:
+        return True
+    except (AttributeError, OSError, ValueError):  # no file, as in a test
+        return False
+    if not hasattr(select, "poll"):  # Windows
+        return False
+    poll = select.poll()
+    poll.register(output, 0)
+    return any(event & select.POLLERR for _, event in poll.poll(0))
+
+
+def run(arguments):
     parser = make_parser()
     arguments = parser.parse_args(arguments)
     if arguments.command != "info":
@@ -256,6 +301,8 @@ def main(arguments=None):
     try:
         return {"render": render, "animate": animate, "view": view, "info": info}[arguments.command](arguments)
     except (Failure, OSError, ValueError, ImportError) as error:
+        if isinstance(error, BrokenPipeError) and has_no_reader():
+            return DONE
         tell_failure(arguments, text_of(error))
     except MemoryError:
         tell_failure(arguments, f"{arguments.file}: does not fit into memory")

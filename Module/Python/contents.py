@@ -97,6 +97,8 @@ def add_steps(facts, path):
     facts["arrays"] = [array for array in arrays_of(mesh) if not array["name"].startswith("vtk")]
     for array in facts["arrays"]:
         array["unit"] = source.unit_of(array["name"])
+    if getattr(source, "note", ""):
+        facts["notes"].append(source.note)
     options = usual_options(facts["arrays"], is_volume)
     if not options and not facts["try"] and not is_volume:
         options = level_over_bed(facts["arrays"])
@@ -158,7 +160,7 @@ def usual_options(arrays, is_volume):
         words = ["contour"] if named["contour"] else []
     else:
         words = [word for word in ("depth", "level", "bed") if named[word]]
-        words = words[:2] if len(words) == 3 else words if words != ["bed"] else []
+        words = ["depth", "bed"] if len(words) == 3 else words if words != ["bed"] else []
         words += ["flow"] if words and named["flow"] else []
     waves = " --wind 5" if "flow" in words else ""
     return " ".join(f"--{word} {shlex.quote(named[word])}" for word in words) + waves

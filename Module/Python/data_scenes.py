@@ -22,20 +22,13 @@ from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 from .errors import heed, raising
 from .measure import WHOLE
 from .readers import ELEVATION, HIGHEST, Surface
-from .solutions import array_of
+from .solutions import array_of, odd_units
 from .vertex_data import wrong_components
 from .words import set_look
 
 __all__ = ["COLOR_MAPS", "DataWater", "table_of"]
 
 LEVEL = "vtkwater level"  # the array of a level that is one number
-# Units of lengths, in lower case, as files spell them: https://docs.unidata.ucar.edu/udunits
-METRES = {**dict.fromkeys(("m", "meter", "metre", "meters", "metres"), 1.0),
-          **dict.fromkeys(("mm", "millimeter", "millimetre", "millimeters", "millimetres"), 0.001),
-          **dict.fromkeys(("cm", "centimeter", "centimetre", "centimeters", "centimetres"), 0.01),
-          **dict.fromkeys(("km", "kilometer", "kilometre", "kilometers", "kilometres"), 1000.0),
-          **dict.fromkeys(("ft", "foot", "feet", "international_foot", "international_feet"), 0.3048),
-          **dict.fromkeys(("us_survey_foot", "us_survey_feet"), 1200.0 / 3937.0)}
 TABLE_SIZE = 256
 NAN_COLOR = (0.6, 0.6, 0.6, 1.0)
 BAR_TEXT = 14  # points
@@ -65,8 +58,7 @@ class DataWater:
     solution : Solution
         It must read the arrays that are named below; with contour, it must be one of a volume.
     level, depth, bed : str, optional
-        Names of arrays, as in vtkWaterSurfaceFilter; level may also be a number. If the file states that one of them
-        is in another unit of METRES, it is converted to metres.
+        Names of arrays, as in vtkWaterSurfaceFilter; level may also be a number. The solution converts them to metres.
     contour : tuple[str, float], optional
         Instead of level, depth and bed: the name of an array of a volume, and its value on the water's surface.
     color_by : str, optional
@@ -95,17 +87,15 @@ class DataWater:
     def __init__(self, scene, solution, *, level=None, depth=None, bed=None, contour=None, color_by=None, data=None,
                  cmap=None, clim=None, log_scale=False, dry_depth=None, exaggeration=1.0, **words):
         self.scene, self.solution = scene, solution
-        self._factors = {name: METRES.get(solution.unit_of(name).lower(), 1.0)
-                         for name in (level, depth, bed) if isinstance(name, str)}
-        level, depth, bed = (self._in_metres(name) for name in (level, depth, bed))
         self._level, self._names = level, {"depth": depth, "bed": bed}
         self._exaggeration = exaggeration
         self._ground = self._walls = self._known = None
         self._heights = None
+        self._colors = color_by
         self._mapper = vtkPolyDataMapper()
         self._mapper.ScalarVisibilityOff()
         self.filter = contour_of(*contour) if contour else vtkWaterSurfaceFilter()
-        self.notes = []  # what a user may not expect
+        self.notes = odd_units(solution, (level, depth, bed))  # what a user may not expect
         heed(self.filter, self.notes.append)
         self._is_contour = bool(contour)
         self._contoured = contour[0] if contour else None
@@ -190,7 +180,7 @@ class DataWater:
             if self.filter.GetOutput().GetNumberOfCells():
                 break
         else:
-            raise ValueError(f"{self.solution.path}: no place is wet at any time, {times[0]:g} to {times[-1]:g}")
+            raise ValueError(f"{self.solution.path}: {self._dry_text()}")
         heights = None if self._is_contour else bed_of(mesh, self._level, **self._names)
         surface = self.filter.GetOutput()
         lowest = surface.GetBounds()[4]
@@ -207,12 +197,21 @@ class DataWater:
         self.scene.add_ground(Surface(data, is_terrain=True), level, self._exaggeration)
         self.scene.add_walls(level, is_block=True)
 
-    def _in_metres(self, name):
-        """The name of an array of heights where it is in metres."""
-        return f"{name}, m" if self._factors.get(name, 1.0) != 1.0 else name
+    def _dry_text(self):
+        """Why there is no water, with the ranges of the arrays."""
+        times = self.solution.times
+        when = f" at any time, {times[0]:g} to {times[-1]:g}" if len(times) > 1 else ""
+        names = [self._contoured] if self._is_contour else [self._level, *self._names.values()]
+        ranges = {name: self.solution.range_of(name) for name in names if isinstance(name, str)}
+        texts = [f"'{name}' is {ends[0]:g} to {ends[1]:g}" if ends else f"'{name}' has no finite value"
+                 for name, ends in ranges.items()]
+        told = [note for note in self.notes if note.startswith("the array")]  # by the filter, with ranges
+        return f"no place is wet{when}: {'; '.join(told) or ', '.join(texts)}"
 
     def _mesh(self, time):
-        mesh = with_lengths(self.solution.at(time), self._factors, self._in_metres)
+        mesh = self.solution.at(time)
+        if self._colors is not None and self.solution.factor_of(self._colors) != 1.0:
+            mesh = with_stated(mesh, self._colors, self.solution.factor_of(self._colors))
         if self._is_contour and mesh.GetPointData().GetArray(self._contoured) is None:
             convert = vtkCellDataToPointData()
             convert.PassCellDataOn()
@@ -268,7 +267,10 @@ class DataWater:
         data.give(self.water)
 
     def _color(self, name, cmap, clim, log_scale):
+        factor = self.solution.factor_of(name)
         ends = clim or self.solution.range_of(name, log_scale)
+        if ends and not clim:
+            ends = tuple(end / factor for end in ends)
         if ends is None:
             raise ValueError(f"{self.solution.path}: the array '{name}' has no finite value"
                              f"{' above 0' if log_scale else ''}")
@@ -279,7 +281,7 @@ class DataWater:
             self._mapper.SetScalarModeToUsePointFieldData()
         else:
             self._mapper.SetScalarModeToUseCellFieldData()
-        self._mapper.SelectColorArray(name)
+        self._mapper.SelectColorArray(name if factor == 1.0 else stated_name(name))
         self._mapper.SetColorModeToMapScalars()
         self._mapper.SetInterpolateScalarsBeforeMapping(of_points)
         self._mapper.ScalarVisibilityOn()
@@ -294,19 +296,19 @@ def normals_of(surface):
     return normals
 
 
-def with_lengths(mesh, factors, name_of):
-    """The mesh, with another array for each that is not in metres."""
-    factors = {name: factor for name, factor in factors.items() if factor != 1.0}
-    if not factors:
-        return mesh
+def with_stated(mesh, name, factor):
+    """The mesh, with another array: that of colours in the unit that the file states, not in metres."""
     made = mesh.NewInstance()
     made.ShallowCopy(mesh)
-    for name, factor in factors.items():
-        of_points = mesh.GetPointData().GetArray(name) is not None
-        array = numpy_to_vtk(factor * vtk_to_numpy(array_of(mesh, name)).astype(float), deep=True)
-        array.SetName(name_of(name))
-        (made.GetPointData() if of_points else made.GetCellData()).AddArray(array)
+    of_points = mesh.GetPointData().GetArray(name) is not None
+    array = numpy_to_vtk(vtk_to_numpy(array_of(mesh, name)) / factor, deep=True)
+    array.SetName(stated_name(name))
+    (made.GetPointData() if of_points else made.GetCellData()).AddArray(array)
     return made
+
+
+def stated_name(name):
+    return f"{name} in the file's unit"
 
 
 def contour_of(name, value):

@@ -15,6 +15,8 @@ vtkWaterActor that shows it. A vtkWaterLakes, or the actor that PyVista's add_wa
 lakes. An actor that is taken from a vtkWaterLakes (GetWater) stands for one lake, and so does the mesh of any actor's
 mapper.
 """
+import warnings
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkPoints
@@ -25,6 +27,7 @@ from vtkmodules.vtkRenderingCore import vtkMapper
 from . import vtkWaterSurfaceFilter
 from .errors import raising
 from .readers import HIGHEST, polygons_of
+from .solutions import odd_units
 
 __all__ = ["flooded", "flooded_cells", "gauges", "probe", "profile", "shoreline", "surface"]
 
@@ -154,7 +157,8 @@ def gauges(solution, points, *, level=None, depth=None, bed=None, dry_depth=None
     Parameters
     ----------
     solution : vtkwater.solutions.Solution
-        It must read the arrays that are named below; its other arrays are probed, too.
+        It must read the arrays that are named below; its other arrays are probed, too. It converts lengths in other
+        units that the file states to metres.
     points : array_like
         n x 2 or n x 3: x and y of each place, in the coordinates of the mesh; z is ignored.
     level, depth, bed : str, optional
@@ -176,8 +180,15 @@ def gauges(solution, points, *, level=None, depth=None, bed=None, dry_depth=None
         As probe; also if there is no such array.
     FileError
         If the file cannot be read at one of the times, or if a time is not among those of the file.
+
+    Warns
+    -----
+    UserWarning
+        If the file states a unit for one of the named arrays that is no known length.
     """
     places = places_of(points)
+    for text in odd_units(solution, (level, depth, bed)):
+        warnings.warn(f"{solution.path}: {text}", stacklevel=2)
     surface = vtkWaterSurfaceFilter()
     times = solution.times if times is None else times
     steps = []

@@ -14,7 +14,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .readers import FileError, heard, reader_of
-from .steps import Reader
+from .steps import Reader, TimesError, check_times
 from .ugrid import NoMesh, UgridMesh, is_east, is_north
 
 __all__ = ["open_netcdf"]
@@ -38,11 +38,14 @@ def open_netcdf(path):
         hint = NO_UGRID
     except (NoMesh, OSError):
         pass  # a grid, or no NetCDF at all
+    except TimesError:  # of a mesh
+        raise
     except (FileError, RuntimeError) as error:  # netCDF4's, of damaged data
         text = str(error)
         if not any(words in text for words in NO_MESH_OF_VTK):
             hint = f"; {text.removeprefix(f'{path}: ')}"
     reader = cf_reader(path)
+    check_times(path, times_of(path))
     names = names_of(reader)
     sizes = dict(zip(names, values_of(reader.GetVariableDimensions())))
     grids = [dimensions for dimensions in values_of(reader.GetAllDimensions()) if dimensions.count(",") == 1]
@@ -90,7 +93,7 @@ class Mesh(Reader):
     """The steps of a mesh, which VTK reads without its attributes: its reader of grids knows the units."""
 
     def __init__(self, path, reader):
-        super().__init__(path, reader, MESH)
+        super().__init__(path, reader, MESH, may_repeat=False)
 
     @functools.cached_property
     def is_lonlat(self):
@@ -138,6 +141,25 @@ def cf_reader(path):
         reader.SetFileName(str(path))
         reader.UpdateMetaData()
     return reader
+
+
+def times_of(path):
+    """The times of a grid as the file has them: VTK's reader leaves out all that do not ascend, and does not say so.
+
+    Empty without the package netCDF4, or if the file has no times.
+    """
+    try:
+        from netCDF4 import Dataset
+    except ImportError:
+        return ()
+    try:
+        with Dataset(path) as file:
+            for name, variable in file.variables.items():
+                if variable.dimensions == (name,) and " since " in str(getattr(variable, "units", "")):
+                    return np.ma.filled(variable[:].astype(float), np.nan).tolist()
+    except (OSError, RuntimeError):  # VTK's reader tells what is wrong
+        pass
+    return ()
 
 
 def stated(data, name):

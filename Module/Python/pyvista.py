@@ -135,7 +135,8 @@ def add_water(
 
     color_by : str, optional
         An array of the surface's points or cells that colours the water, through ``cmap`` (default: the theme's) and
-        ``clim`` (two values; default: the array's range), as in ``add_mesh``. ``cmap`` may also be a lookup table
+        ``clim`` (two values), as in ``add_mesh``. The default of ``clim`` is the array's range when the water is added,
+        which is that of the first step: for an animation, pass ``clim``. ``cmap`` may also be a lookup table
         (:vtk:`vtkScalarsToColors`) with categories, a scale, a range and a colour of NaN of its own.
 
     log_scale : bool, default: False
@@ -290,9 +291,10 @@ def add_water(
     UserWarning
         If PyVista's notebook backend is ``'client'`` or ``'html'``, because vtk.js draws no water; if the water's
         level is below the whole terrain, which hides it; if it is above the whole scene by more than the scene's
-        diagonal; if the surface lies farther from the scene than both are wide together; or if one of the ``waves`` is
-        steeper than water waves can be, which break at a height of 0.142 of their length. The text names the scene's
-        heights, or both places, or the wave.
+        diagonal; if the surface lies farther from the scene than both are wide together; if arrays of heights make
+        nothing wet, contradict each other or seem to have different units; or if one of the ``waves`` is steeper than
+        water waves can be, which break at a height of 0.142 of their length. The text names the scene's heights, or
+        both places, or the arrays and their ranges, or the wave.
 
     Notes
     -----

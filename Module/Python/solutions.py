@@ -10,6 +10,7 @@ of an unknown type, not of the type that its suffix claims, or lacks one of the 
 """
 import bisect
 import math
+import warnings
 import weakref
 from collections.abc import Mapping
 from pathlib import Path
@@ -30,6 +31,13 @@ from .words import counted
 
 __all__ = ["KINDS", "Solution"]
 
+# Units of lengths, in lower case, as files spell them: https://docs.unidata.ucar.edu/udunits
+METRES = {**dict.fromkeys(("m", "meter", "metre", "meters", "metres"), 1.0),
+          **dict.fromkeys(("mm", "millimeter", "millimetre", "millimeters", "millimetres"), 0.001),
+          **dict.fromkeys(("cm", "centimeter", "centimetre", "centimeters", "centimetres"), 0.01),
+          **dict.fromkeys(("km", "kilometer", "kilometre", "kilometers", "kilometres"), 1000.0),
+          **dict.fromkeys(("ft", "foot", "feet", "international_foot", "international_feet"), 0.3048),
+          **dict.fromkeys(("us_survey_foot", "us_survey_feet"), 1200.0 / 3937.0)}
 KEPT_STEPS = 2  # in memory: what lies between them is interpolated
 
 
@@ -43,7 +51,9 @@ class Solution:
         files by their times (TiffStack): ``{"depth": {0.0: "a.tif", 600.0: "b.tif"}, "bed": "bed.tif"}``. A list is
         not read ahead.
     arrays : sequence[str]
-        Names of the arrays to read, of points or cells. Others are not kept.
+        Names of the arrays to read, of points or cells. Others are not kept. An array whose unit, as a NetCDF file
+        states it, is another length of METRES (cm, ft, US_survey_foot, ...) is converted to metres; a GeoTIFF file in
+        feet is, too. All others keep the file's values.
     is_volume : bool, default: False
         Read cells of three dimensions, as an unstructured grid.
     is_lonlat : bool, optional
@@ -67,6 +77,11 @@ class Solution:
     note : str
         A message about an unexpected result, such as steps that cannot be interpolated; empty if there is none.
 
+    Warns
+    -----
+    UserWarning
+        If two files of one time in a .pvd file have the same bounds and number of points.
+
     Raises
     ------
     FileError
@@ -75,9 +90,10 @@ class Solution:
     def __init__(self, file, arrays=(), is_volume=False, is_lonlat=None, read_ahead=False):
         is_list = isinstance(file, Mapping)
         self.path = "GeoTIFF files" if is_list else Path(file)
-        self.note = ""
+        self._differ = ""
         self._arrays = tuple(arrays)
         self._is_volume = is_volume
+        self._factors = {}
         # before the file is read: it sees later changes
         ahead = None if is_list else Ahead(self.path, self._arrays, is_volume, is_lonlat)
         self._source = open_source(file if is_list else self.path)
@@ -94,6 +110,10 @@ class Solution:
         self._between.SetInputConnection(self._pipeline.GetOutputPort())
         if read_ahead and len(self.times) > KEPT_STEPS:
             self._ahead = ahead
+
+    @property
+    def note(self):
+        return "; ".join(filter(None, (getattr(self._source, "note", ""), self._differ)))
 
     def step(self, i):
         """Return the mesh of a step, from 0: vtkPolyData, or vtkUnstructuredGrid of a volume. Do not change it."""
@@ -128,8 +148,8 @@ class Solution:
         if time == self.times[i]:
             return mesh
         if not have_same_cells(mesh, self.step(i + 1)):
-            self.note = (f"the meshes of steps {i} and {i + 1} differ: "
-                         "between them, the earlier step is shown")
+            self._differ = (f"the meshes of steps {i} and {i + 1} differ: "
+                            "between them, the earlier step is shown")
             return mesh
         with heard(self.path, "a series of meshes to interpolate in"):
             self._between.UpdateTimeStep(time)
@@ -139,7 +159,8 @@ class Solution:
         return made
 
     def range_of(self, name, is_positive=False):
-        """The smallest and largest finite value of an array over all steps; for vectors, of their magnitude.
+        """The smallest and largest finite value of an array, as the meshes have it, over all steps; for vectors, of
+        their magnitude.
 
         is_positive  whether only values above 0 count
         """
@@ -153,11 +174,23 @@ class Solution:
         return (min(ends), max(ends)) if ends else None
 
     def unit_of(self, name):
-        """The unit of an array as a NetCDF file states it, such as "cm"; empty if the file states none."""
+        """The unit of an array as a NetCDF file states it, such as "cm"; empty if the file states none.
+
+        In the meshes, lengths are in metres: factor_of(name) times the file's values.
+        """
         return self._source.unit_of(name)
 
+    def factor_of(self, name):
+        """Metres per unit of an array that has another unit of length; 1 for all others."""
+        if name not in self._factors:
+            self._factors[name] = METRES.get(self.unit_of(name).lower(), 1.0)
+        return self._factors[name]
+
     def _made(self, i):
+        noted = self.note
         data = self._source.read(i)
+        if self.note != noted:
+            warnings.warn(f"{self.path}: {self._source.note}", stacklevel=4)
         try:
             mesh = mesh_of(data, self.path, self._is_volume)
         except FileError as error:
@@ -170,6 +203,10 @@ class Solution:
                 raise FileError(f"{self.path}: there is no array '{name}'"
                                 f"{self._of_step(i)}; arrays are: {names_of(mesh)}{self._source.hint}")
             of_cells = mesh.GetPointData().GetArray(name) is None
+            factor = self.factor_of(name)
+            if factor != 1.0:
+                array = numpy_to_vtk(factor * vtk_to_numpy(array).astype(float), deep=True)
+                array.SetName(name)
             (kept.GetCellData() if of_cells else kept.GetPointData()).AddArray(array)
         self._place(kept)
         return kept
@@ -230,6 +267,13 @@ class StepsSource(VTKPythonAlgorithmBase):
 def array_of(mesh, name):
     """An array of points, otherwise of cells; None if there is no such array of numbers."""
     return mesh.GetPointData().GetArray(name) or mesh.GetCellData().GetArray(name)
+
+
+def odd_units(solution, names):
+    """What to tell of arrays of heights whose unit is no known length: one text for each."""
+    units = {name: solution.unit_of(name) for name in names if isinstance(name, str)}
+    return [f"the unit of '{name}' is '{unit}', which is no known length; its values are taken as metres. Known are "
+            f"{', '.join(METRES)}" for name, unit in units.items() if unit and unit.lower() not in METRES]
 
 
 def names_of(mesh):

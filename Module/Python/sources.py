@@ -28,7 +28,10 @@ def open_source(path):
 
 
 class Collection:
-    """The steps of a ParaView collection (.pvd): a file or some for each of its times."""
+    """The steps of a ParaView collection (.pvd): a file or some for each of its times.
+
+    note: that two files of a time look like two steps; empty at first
+    """
 
     is_lonlat, hint = False, ""
 
@@ -54,6 +57,7 @@ class Collection:
             raise FileError(f"{path}: is empty: it lists no files")
         self.times = sorted(files)
         self._files = files
+        self.note = ""
 
     def files_of(self, i):
         """The files of a step, besides the collection."""
@@ -63,13 +67,19 @@ class Collection:
         return ""
 
     def read(self, i):
-        append = vtkMultiBlockDataSet()
+        append, places = vtkMultiBlockDataSet(), {}
         for j, file in enumerate(self._files[self.times[i]]):
             try:
                 read = kind_of(file, {kind: make for kind, make in KINDS.items() if kind != ".pvd"})(file)
             except FileError as error:
                 raise FileError(f"{self._path}: at time {self.times[i]:g}: {error}") from None
-            append.SetBlock(j, read.read(0))
+            data = read.read(0)
+            append.SetBlock(j, data)
+            if data.IsA("vtkDataSet") and data.GetNumberOfPoints():
+                other = places.setdefault((data.GetNumberOfPoints(), data.GetBounds()), file)
+                if other is not file and not self.note:
+                    self.note = (f"at time {self.times[i]:g}, {other.name} and {file.name} have the same bounds and "
+                                 "number of points; both are shown, as parts of one step")
         return append
 
 

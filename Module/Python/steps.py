@@ -6,15 +6,31 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .readers import FileError, heard
 
-__all__ = ["Reader"]
+__all__ = ["Reader", "TimesError", "check_times"]
+
+
+class TimesError(FileError):
+    """The times of a file do not ascend, or are not finite."""
+
+
+def check_times(path, times, may_repeat=False):
+    """Raise a TimesError unless times are finite and ascend."""
+    for i, time in enumerate(times):
+        if not math.isfinite(time):
+            raise TimesError(f"{path}: its time {i} is {time:g}; it must be finite")
+        if i and (time < times[i - 1] or (time == times[i - 1] and not may_repeat)):
+            raise TimesError(f"{path}: its time {i} is {time:g}, after {times[i - 1]:g}; times must ascend")
 
 
 class Reader:
-    """The steps of one of VTK's readers; hint: what may be wrong where a mesh or array is missing."""
+    """The steps of one of VTK's readers.
+
+    hint: what may be wrong where a mesh or array is missing; may_repeat: of two steps with one time, only one is read
+    """
 
     is_lonlat = False
 
-    def __init__(self, path, reader, what, hint=""):
+    def __init__(self, path, reader, what, hint="", may_repeat=True):
         self._path, self._reader, self._what, self.hint = path, reader, what, hint
         with heard(path, what):
             if hasattr(reader, "CanReadFile") and not reader.CanReadFile(str(path)):
@@ -22,11 +38,7 @@ class Reader:
             reader.SetFileName(str(path))
             reader.UpdateInformation()
         times = reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ()
-        for i, time in enumerate(times):
-            if not math.isfinite(time):
-                raise FileError(f"{path}: its time {i} is {time:g}; it must be finite")
-            if i and time < times[i - 1]:  # VTK would read other steps
-                raise FileError(f"{path}: its time {i} is {time:g}, after {times[i - 1]:g}; times must ascend")
+        check_times(path, times, may_repeat)  # VTK would read other steps
         self.times = sorted(set(times))
 
     def files_of(self, i):

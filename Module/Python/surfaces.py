@@ -44,12 +44,17 @@ class DataSurface:
         self.filter.SetLevelArrayName(level or "")
         self.filter.SetDepthArrayName(depth or "")
         self.filter.SetBedArrayName(bed or "")
-        heed(self.filter, lambda text: warnings.warn(text, stacklevel=2))
+        self.told = []
+        heed(self.filter, self._tell)
         with raising(self.filter, LevelArrayName="level", DepthArrayName="depth"):
             self.filter.Update()
         self.mapper = pv.DataSetMapper()
         self.mapper.SetInputConnection(self.filter.GetOutputPort())
         self.mapper.ScalarVisibilityOff()
+
+    def _tell(self, text):
+        self.told.append(text)
+        warnings.warn(text, stacklevel=2)
 
 
 def show_array(mapper, dataset, name, cmap=None, clim=None, log_scale=False):
@@ -167,9 +172,18 @@ def surface_of(surface, level, depth, bed, normal, origin):
     if surface.n_cells == 0:
         raise ValueError("surface has no cells")
     data = DataSurface(surface, **given)
-    for word, name in given.items():
-        if not np.isfinite(np.asarray(surface[name], dtype=float)).any():  # it may follow later
+    is_known, texts = True, []
+    for word, name in given.items():  # water may follow later
+        values = np.asarray(surface[name], dtype=float)
+        values = values[np.isfinite(values)]
+        if not values.size:
+            is_known = False
             warnings.warn(f"{word} is {name!r}, an array without a finite value: there is no water yet", stacklevel=3)
+        else:
+            texts.append(f"{name!r} is {values.min():g} to {values.max():g}")
+    is_told = any("There is no water" in text for text in data.told)
+    if is_known and not is_told and not data.filter.GetOutput().GetNumberOfCells():
+        warnings.warn(f"nothing is wet yet: {', '.join(texts)}", stacklevel=3)
     return data.mapper, data
 
 

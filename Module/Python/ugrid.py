@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from .readers import FileError
+from .steps import TimesError
 
 __all__ = ["NoMesh", "UgridMesh", "is_east", "is_north"]
 
@@ -71,6 +72,9 @@ class UgridMesh:
                 raise self._not(f"its time {i} is {time:g}; it must be finite")
         sorted_times, self._order = np.unique(values, return_index=True)
         self.times = sorted_times.tolist()
+        for i, time in enumerate(values):
+            if time in values[:i]:
+                raise TimesError(f"{path}: its time {i} is {time:g}, as an earlier one; times must ascend")
 
     def files_of(self, i):
         return ()

@@ -398,8 +398,27 @@ TEST(a_few_faces_and_those_without_values_tell_nothing)
   assert_true(none.cut == 0 && !water_heights_are_beds(&none));
 }
 
-TESTS(levels_of_dry_faces_are_found, dry_faces_that_are_not_shown_are_no_matter,
-  a_shore_is_no_dry_land, a_level_shore_is_no_dry_land,
+TEST(three_heights_must_agree_where_it_is_wet)
+{
+  coast fine = coast_of(320.0, 400.0, 384.0, 0.1);
+  water_heights_sum sum = water_heights_compare(fine.level, fine.depth, fine.bed, COUNT, 1e-3);
+  assert_true(sum.is_wrong == 0 && sum.off < 1e-9 && sum.deepest > 50.0);
+  for (int i = 0; i < COUNT; ++i)
+  {
+    fine.level[i] += fine.depth[i] > 0.0 ? 0.4 : 9.0; // dry places do not count
+  }
+  sum = water_heights_compare(fine.level, fine.depth, fine.bed, COUNT, 1e-3);
+  assert_true(sum.is_wrong == 0 && fabs(sum.off - 0.4) < 1e-9);
+  for (int i = 0; i < COUNT; ++i)
+  {
+    fine.bed[i] = i % 7 == 3 ? (double)NAN : fine.bed[i] - 2.0;
+  }
+  sum = water_heights_compare(fine.level, fine.depth, fine.bed, COUNT, 1e-3);
+  assert_true(sum.is_wrong == 1 && fabs(sum.off - 2.4) < 1e-9);
+}
+
+TESTS(three_heights_must_agree_where_it_is_wet, levels_of_dry_faces_are_found,
+  dry_faces_that_are_not_shown_are_no_matter, a_shore_is_no_dry_land, a_level_shore_is_no_dry_land,
   a_few_faces_and_those_without_values_tell_nothing, places_without_values_tell_nothing,
   nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_evidence,
   dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,

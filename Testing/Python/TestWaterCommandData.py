@@ -3,6 +3,7 @@
 
 import gc
 import pathlib
+import warnings
 import weakref
 
 import numpy as np
@@ -598,7 +599,7 @@ FAILS = (
     (("missing.nc", *DATA), ("missing.nc: no such file",)),
     (("volume.vti", *DATA), ("cells have 3 dimensions", "--contour")),
     (("slope.pvd", "--contour", "h"), ("cells have 2 dimensions; they must have 3",)),
-    (("dry.vts", *DATA), ("no place is wet at any time",)),
+    (("dry.vts", *DATA), ("no place is wet: 'h' is ",)),
     (("slope.pvd", *DATA, "--color-by", "h", "--cmap", "mud"), ("unknown colour map 'mud'", "viridis")),
     (("slope.pvd", *DATA, "--color-by", "h", "--clim", "3:1"), ("(3, 1)", "both must be finite")),
     (("slope.pvd", *DATA, "--color-by", "h", "--log-scale", "--clim", "0:1"), ("(0, 1)", "both must be above 0")),
@@ -643,6 +644,53 @@ def test_a_time_without_water_is_told(folder, capsys):
     status, _, said = run(folder, capsys, "render", write_collection(folder / "ebb.pvd", files), *DATA, "--time", 5,
                           "--size", SIZE, "--out", folder / "ebb.png")
     wt.check_equal("status, said", (status, said.strip()), (0, "vtkwater: nothing is wet at time 5"))
+
+
+def test_depths_of_the_wrong_sign_are_told(folder, capsys):
+    """Also with zeros on dry land; at any time, and with their range."""
+    mesh = polygons()
+    depths = vtk_to_numpy(mesh.GetPointData().GetArray("h"))
+    depths *= -1.0
+    write(vtkIOXML.vtkXMLPolyDataWriter(), mesh, folder / "sign.vtp")
+    status, _, said = run(folder, capsys, "render", folder / "sign.vtp", *DATA, "--out", folder / "sign.png")
+    wt.check_equal("status", status, 1)
+    for word in ("sign.vtp: no place is wet: ", "'h' is -", " to 0; depths must be positive", "change its sign"):
+        wt.check_equal(f"{said!r} says {word!r} once", said.count(word), 1)
+
+
+def test_contradicting_arrays_are_told(folder, capsys):
+    mesh = polygons()
+    vtk_to_numpy(mesh.GetPointData().GetArray("zeta"))[:] += 0.25
+    write(vtkIOXML.vtkXMLPolyDataWriter(), mesh, folder / "three.vtp")
+    status, _, said = run(folder, capsys, "render", folder / "three.vtp", "--level", "zeta", *DATA, *LOOK,
+                          "--out", folder / "three.png")
+    wt.check_equal("status", status, 0)
+    wt.check_equal(f"told in: {said}", said.count("'h' differs by up to 0.25 "), 1)
+
+
+def test_a_level_alone_of_a_solvers_file_lists_its_arrays(folder, capsys):
+    status, _, said = run(folder, capsys, "render", folder / "slope.pvd", "--level", 12, "--out", folder / "x.png")
+    wt.check_equal("status, lines", (status, len(said.strip().splitlines())), (1, 1))
+    for word in ("slope.pvd: a solver's file needs --depth, --level with --bed", "h (points)", "zb (points)"):
+        wt.check_equal(f"{said!r} says {word!r}", word in said, True)
+
+
+def test_two_steps_with_one_time_are_told(folder, capsys):
+    """Once; parts with other bounds are not."""
+    twice = write_collection(folder / "twice.pvd", [(0, "s0.vts"), (10, "s1.vts"), (10, "s0.vts")])
+    apart = folder / "apart.vts"
+    write(vtkIOXML.vtkXMLStructuredGridWriter(), structured(0.0, shift=10.0), apart)
+    parts = write_collection(folder / "parts.pvd", [(0, "s0.vts"), (0, "apart.vts")])
+    for path, count in ((twice, 1), (parts, 0)):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            solution = solutions.Solution(path, ["h"])
+            for time in (*solution.times, *solution.times):
+                solution.forget()
+                solution.at(time)
+        wt.check_equal("warnings", ["same bounds" in str(each.message) for each in caught], [True] * count)
+    status, _, said = run(folder, capsys, "render", twice, *DATA, *LOOK, "--step", 1, "--out", folder / "x.png")
+    wt.check_equal(f"said: {said}", (status, said.count("at time 10, s1.vts and s0.vts have the same bounds")), (0, 1))
 
 
 def test_another_unit_is_warned_of(folder, capsys):

@@ -2,7 +2,10 @@
 """vtkwater info FILE tells what a file holds, and the commands that it suggests render it; errors are one line."""
 
 import json
+import os
 import shlex
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -145,6 +148,25 @@ def test_what_is_suggested_renders(folder, name, capsys):
     picture.unlink(missing_ok=True)
     status = command.main([*arguments, "--size", "160x100", "--out", str(picture)])
     wt.check_equal(f"{line}: {capsys.readouterr().err}", (program, status, picture.exists()), ("vtkwater", 0, True))
+
+
+def test_a_bed_is_suggested_as_ground(tmp_path):
+    """Of level, depth and bed, the last two: without its bed, the water would have no ground."""
+    mesh = flood()
+    add_array(mesh.GetPointData(), "level", np.ones(12))
+    write(vtkXMLPolyDataWriter(), tmp_path / "a.vtp", mesh)
+    (line,) = [line for line in contents_of(tmp_path / "a.vtp")["try"] if "--depth" in line]
+    wt.check_equal(line, "--depth H --bed zb" in line and "--level" not in line, True)
+
+
+def test_a_closed_pipe_is_a_silent_end(folder):
+    """As of ``vtkwater info FILE | head -0``."""
+    for arguments in (("info", str(folder / "slope.tif")), ("info", str(folder / "slope.tif"), "--json"), ("--help",)):
+        reading, writing = os.pipe()
+        os.close(reading)
+        ended = subprocess.run([sys.executable, "-m", "vtkwater", *arguments], stdout=writing, stderr=subprocess.PIPE)
+        os.close(writing)
+        wt.check_equal(f"{arguments}: status, said", (ended.returncode, ended.stderr.decode()), (0, ""))
 
 
 def test_unknown_names_ask_for_the_arrays(folder):

@@ -10,8 +10,9 @@ from vtkmodules import vtkIONetCDF
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkwater import command, netcdf
 from vtkwater.data_scenes import DataWater
+from vtkwater.measure import gauges
 from vtkwater.scenes import Scene
-from vtkwater.solutions import Solution
+from vtkwater.solutions import Solution, array_of
 
 try:
     import netCDF4
@@ -165,6 +166,42 @@ def test_heights_become_metres(kind, by, units, tmp_path, monkeypatch):
     shown = {"cm": 100.0, "feet": 1.0 / 0.3048}.get(units[0], 1.0)
     wt.check_at_most("range of colours off by", float(np.abs(np.array(ends) - (0.5 * shown, shown)).max()), 1e-4)
     wt.check_equal("nothing is told", water.notes, [])
+
+
+@pytest.mark.parametrize("kind, by", KINDS)
+@pytest.mark.parametrize("unit, metres", (("ft", 0.3048), ("US_survey_foot", 1200.0 / 3937.0), ("cm", 0.01)))
+def test_a_solution_is_in_metres(kind, by, unit, metres, tmp_path, monkeypatch):
+    """As the command's water: at a step and between two, in ranges and at gauges; other arrays keep their values."""
+    reader(monkeypatch, by)
+    path = write(kind, tmp_path / "a.nc", units=("m", "m"))
+    with netCDF4.Dataset(path, "a") as file:
+        file["zeta"][:] = file["zeta"][:] / metres
+        file["zeta"].units = unit
+    solution = Solution(path, ["zeta", "zb"])
+    for time, level in ((0.0, 0.5), (5.0, 0.75), (10.0, 1.0)):
+        values = vtk_to_numpy(array_of(solution.at(time), "zeta"))
+        wt.check_at_most(f"level at {time} off by", float(np.abs(values - level).max()), 1e-6)
+    wt.check_at_most("range off by", float(np.abs(np.array(solution.range_of("zeta")) - (0.5, 1.0)).max()), 1e-6)
+    wt.check_equal("unit of the file", (solution.unit_of("zeta"), solution.factor_of("zb")), (unit, 1.0))
+    bounds = solution.at(0.0).GetBounds()
+    found = gauges(solution, [(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]))], level="zeta", bed="zb")
+    wt.check_at_most("depths off by", float(np.abs(found["WaterDepth"].ravel() - (2.5, 3.0)).max()), 1e-6)
+
+
+@pytest.mark.parametrize("unit", ("furlong", "kg"))
+def test_a_unit_that_is_no_length_is_told(unit, tmp_path):
+    path = write("rows", tmp_path / "a.nc", coordinates=("m", "m"))
+    with netCDF4.Dataset(path, "a") as file:
+        file["zeta"].units = unit
+    solution = Solution(path, ["zeta", "zb"])
+    water = DataWater(Scene((32, 24)), solution, level="zeta", bed="zb")
+    wt.check_equal("notes", len(water.notes), 1)
+    with pytest.warns(UserWarning) as caught:
+        gauges(solution, [(0.0, 0.0)], level="zeta", bed="zb")
+    wt.check_equal("warnings", len(caught), 1)
+    for text in (water.notes[0], str(caught[0].message)):
+        for word in ("'zeta'", f"'{unit}'", "taken as metres", "us_survey_foot", "cm"):
+            wt.check(f"'{word}' is in the text", text, word, word in text)
 
 
 @pytest.mark.parametrize("kind, by", KINDS)

@@ -331,8 +331,7 @@ def test_an_array_without_a_finite_value_is_told(plotter):
     """It may be a surface that gets its water later: no error."""
     with pytest.warns(UserWarning, match="level is 'nothing', an array without a finite value: there is no water yet"):
         plotter.add_water(solution(), level="nothing", bed="zb")
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with pytest.warns(UserWarning, match="nothing is wet yet"):
         plotter.add_water(solution(-9.0), level="zeta", bed="zb")  # dry
 
 
@@ -369,6 +368,37 @@ def test_negative_depths_are_warned_of(plotter):
     with pytest.warns(UserWarning, match="'h' is -2 to -0.25; depths must be positive") as caught:
         plotter.add_water(mesh, depth="h", bed="zb")
     wt.check_equal("warnings", len(caught), 1)
+
+
+def warnings_of(plotter, mesh, **words):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        plotter.add_water(mesh, **words)
+        from_above(plotter)
+    return [str(each.message) for each in caught]
+
+
+def test_wrong_signs_with_dry_land_are_warned_of(plotter):
+    mesh = solution()
+    mesh["h"] = -mesh["h"]
+    said = warnings_of(plotter, mesh, depth="h", bed="zb")
+    wt.check_equal(said, ["'h' is -1.9 to 0; depths must be positive" in text for text in said], [True])
+
+
+@pytest.mark.parametrize("names, text", (
+    ({"depth": "dry", "bed": "zb"}, "nothing is wet yet: 'dry' is 0 to 0, 'zb' is -1.5 to 1.5"),
+    ({"level": "below", "bed": "zb"}, "nothing is wet yet: 'below' is -2.5 to 0.5, 'zb' is -1.5 to 1.5")))
+def test_nothing_wet_is_warned_of(names, text, plotter):
+    mesh = solution()
+    mesh["below"] = mesh["zb"] - 1.0
+    wt.check_equal("warnings", warnings_of(plotter, mesh, **names), [text])
+
+
+def test_contradicting_arrays_are_warned_of(plotter):
+    mesh = solution()
+    mesh["zeta"] = mesh["zeta"] + 0.25
+    said = warnings_of(plotter, mesh, level="zeta", depth="h", bed="zb")
+    wt.check_equal(said, ["'h' differs by up to 0.25 " in text for text in said], [True])
 
 
 def test_a_current_carries_the_waves(plotter):

@@ -103,6 +103,37 @@ def test_steps_are_in_the_order_of_their_times(tmp_path, monkeypatch):
     wt.check_equal("h", [h_of(solution.at(time))[0] for time in (0.0, 5.0, 10.0, 30.0)], [100.0, 150.0, 200.0, 0.0])
 
 
+def write_grid(path, times):
+    with netCDF4.Dataset(path, "w") as file:
+        for name, values in (("time", times), ("y", range(4)), ("x", range(5))):
+            file.createDimension(name, len(values))
+            file.createVariable(name, "f8", (name,))[:] = values
+        file["time"].units = "seconds since 2024-01-01"
+        file.createVariable("h", "f8", ("time", "y", "x"))[:] = 1.0
+    return path
+
+
+@pytest.mark.parametrize("write", (write_grid, write_mesh), ids=("grid", "mesh"))
+@pytest.mark.parametrize("times, words", (
+    ((1800.0, 0.0, 3000.0), "its time 1 is 0, after 1800; times must ascend"),
+    ((0.0, 600.0, 600.0), "its time 2 is 600, after 600; times must ascend"),
+    ((20.0, 10.0, 0.0), "its time 1 is 10, after 20; times must ascend")))
+def test_times_that_do_not_ascend_are_an_error(write, times, words, tmp_path):
+    """It comes before others, and no step is left out silently."""
+    path = tmp_path / "a.nc"
+    write(path, times=times)
+    if write is write_mesh and not HAS_VTKS:
+        pytest.skip("netCDF4 sorts the steps of a mesh")
+    with pytest.raises(FileError) as caught:
+        solutions.Solution(path, ["none"])
+    wt.check_equal("the error", str(caught.value), f"{path}: {words}")
+
+
+def test_a_repeated_time_of_a_mesh_is_an_error_without_vtks_reader(tmp_path):
+    with pytest.raises(FileError, match="its time 2 is 600, as an earlier one; times must ascend"):
+        UgridMesh(write_mesh(tmp_path / "a.nc", times=(0.0, 600.0, 600.0)))
+
+
 def test_a_single_value_is_no_array_of_the_mesh(tmp_path):
     mesh = UgridMesh(write_mesh(tmp_path / "mesh.nc"))
     data = mesh.read(2)

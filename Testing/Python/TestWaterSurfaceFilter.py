@@ -749,6 +749,32 @@ def test_depths_that_are_all_negative_are_told_once(of_cells):
     wt.check_equal("warnings of a wet place among negative depths", warnings_of(mesh, DepthArrayName="h"), [])
 
 
+@pytest.mark.parametrize("of_cells", (False, True), ids=("points", "cells"))
+def test_depths_of_the_wrong_sign_are_told_with_zeros_on_dry_land(of_cells):
+    """Once; thin films below 0 of a dry step are no mistake."""
+    mesh = with_unit("h", -1.0, of_cells)  # 0 on dry land
+    said = warnings_of(mesh, **LEVEL_DEPTH_BED)
+    wt.check_equal("warnings", len(said), 1)
+    words = ("'h' is -", " to 0;", "must be positive", "There is no water")
+    wt.check_equal(f"words in: {said[0]}", [word for word in words if word not in said[0]], [])
+    array = (mesh.GetCellData() if of_cells else mesh.GetPointData()).GetArray("h")
+    vtk_to_numpy(array)[:] *= 1e-9
+    array.Modified()
+    wt.check_equal("warnings of a dry step", warnings_of(mesh, DepthArrayName="h"), [])
+
+
+@pytest.mark.parametrize("name, off, count", (("zeta", 5.0, 1), ("zb", -2.0, 1), ("h", 0.0, 0), ("zeta", 0.02, 0)))
+def test_three_arrays_that_contradict_each_other_are_told_once(name, off, count):
+    """With the largest difference. It must exceed a hundredth of the largest depth."""
+    mesh = with_unit("h", 1.0)
+    add_array(mesh, name, vtk_to_numpy(mesh.GetPointData().GetArray(name)) + off)
+    said = warnings_of(mesh, **LEVEL_DEPTH_BED)
+    wt.check_equal("warnings", len(said), count)
+    for text in said:
+        words = ("'h' differs", f"by up to {abs(off):g} ", "'zeta'", "'zb'", "Name two of them")
+        wt.check_equal(f"words in: {text}", [word for word in words if word not in text], [])
+
+
 def test_normals_of_the_bed_are_not_the_surfaces():
     """They would turn its reflections: point normals of a water's mesh are its slopes."""
     for bed in (-1000.0, None):  # all wet, and with a shore

@@ -12,18 +12,20 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOImage import vtkTIFFWriter
 from vtkwater import command, vtkWaterSurfaceFilter
-from vtkwater.readers import (GEO_KEY_MODEL_TYPE, MODEL_TYPE_GEOGRAPHIC, TIFF_GEO_KEYS, TIFF_NO_DATA, TIFF_PIXEL_SCALE,
-                              TIFF_TIEPOINT, FileError)
+from vtkwater.readers import (GEO_KEY_MODEL_TYPE, GEO_KEY_VERTICAL_UNITS, MODEL_TYPE_GEOGRAPHIC, TIFF_GEO_KEYS,
+                              TIFF_NO_DATA, TIFF_PIXEL_SCALE, TIFF_TIEPOINT, FileError)
 from vtkwater.solutions import Solution
 
 ROWS, COLUMNS, PIXEL = 12, 20, 10.0
 HOLE = -9999.0
 
 
-def write(path, values, pixel=PIXEL, west=500.0, north=800.0, is_geographic=False):
+def write(path, values, pixel=PIXEL, west=500.0, north=800.0, is_geographic=False, is_up_in_feet=False):
     """Rows from north to south, as in a TIFF."""
     tags = TiffImagePlugin.ImageFileDirectory_v2()
     keys = (1, 1, 0, 1, GEO_KEY_MODEL_TYPE, 0, 1, MODEL_TYPE_GEOGRAPHIC) if is_geographic else (1, 1, 0, 0)
+    if is_up_in_feet:
+        keys = (1, 1, 0, 1, GEO_KEY_VERTICAL_UNITS, 0, 1, 9002)
     for tag, kind, value in ((TIFF_GEO_KEYS, 3, keys), (TIFF_PIXEL_SCALE, 12, (pixel, pixel, 0.0)),
                              (TIFF_TIEPOINT, 12, (0.0, 0.0, 0.0, west, north, 0.0)), (TIFF_NO_DATA, 2, str(HOLE))):
         tags.tagtype[tag] = kind
@@ -287,3 +289,13 @@ def test_the_command_draws_a_folder(folder, tmp_path):
         wt.check_equal("status", status, 0)
         pictures.append(np.asarray(Image.open(out)).astype(int))
     wt.check_at_least("pixels that differ", int((pictures[0] != pictures[1]).any(axis=2).sum()), 300)
+
+
+def test_heights_in_feet_become_metres(tmp_path):
+    write(tmp_path / "bed.tif", bed())
+    for time, level in ((0, 0.0), (600, 0.5)):
+        write(tmp_path / f"level_{time}.tif", np.full((ROWS, COLUMNS), level / 0.3048), is_up_in_feet=True)
+    solution = Solution(tmp_path, ["level", "bed"])
+    for time, level in ((0.0, 0.0), (300.0, 0.25), (600.0, 0.5)):
+        values = vtk_to_numpy(solution.at(time).GetPointData().GetArray("level"))
+        wt.check_at_most(f"level at {time} off by", float(np.abs(values - level).max()), 1e-6)

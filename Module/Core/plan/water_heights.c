@@ -23,7 +23,8 @@ static const double near_mean = 0.1;
 static const double most_at_bed = 0.5; // of the cut faces
 static const size_t least_faces = 20;  // cut
 static const double spread_of_land =
-  4.0; // times a face's relief, from the lowest level to the highest
+  4.0;                                // times a face's relief, from the lowest level to the highest
+static const double share_off = 0.01; // of the largest depth, that level, depth and bed may be off
 
 typedef struct range
 {
@@ -286,4 +287,21 @@ bool water_heights_are_beds(const water_heights_faces* faces)
   return faces->cut >= least_faces && faces->wet >= least &&
     (double)faces->at_bed > most_at_bed * (double)faces->cut &&
     (faces->high - faces->low) * (double)faces->at_bed > spread_of_land * faces->relief;
+}
+
+water_heights_sum water_heights_compare(
+  const double* levels, const double* depths, const double* beds, size_t count, double dry_depth)
+{
+  water_heights_sum sum = { 0.0, 0.0, share_off, 0 };
+  for (size_t i = 0; i < count; ++i)
+  {
+    const double off = fabs(levels[i] - beds[i] - depths[i]);
+    if (depths[i] > dry_depth && isfinite(off))
+    {
+      sum.off = fmax(sum.off, off);
+      sum.deepest = fmax(sum.deepest, depths[i]);
+    }
+  }
+  sum.is_wrong = sum.off > fmax(sum.share * sum.deepest, dry_depth);
+  return sum;
 }

@@ -61,6 +61,20 @@ void water_heights_add_face(
 // cuts faces at any height, and at one level: neither is so on land.
 bool water_heights_are_beds(const water_heights_faces* faces);
 
+// How far level, depth and bed contradict each other in wet places.
+typedef struct water_heights_sum
+{
+  double off;     // the largest difference of level - bed and depth
+  double deepest; // the largest depth
+  double share;   // of the deepest that may be off
+  int is_wrong;   // is off more than that, and than the dry depth?
+} water_heights_sum;
+
+// Compares level - bed with depth where the depth exceeds dry_depth. Values that are not finite are
+// ignored.
+water_heights_sum water_heights_compare(
+  const double* levels, const double* depths, const double* beds, size_t count, double dry_depth);
+
 #ifdef __cplusplus
 }
 #endif
