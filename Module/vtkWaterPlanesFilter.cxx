@@ -2,6 +2,7 @@
 #include "vtkWaterPlanesFilter.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellType.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
@@ -12,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterGridPolygons.h"
 #include "vtkWaterParts.h"
@@ -27,18 +29,26 @@ vtkStandardNewMacro(vtkWaterPlanesFilter);
 
 namespace
 {
-// The first polygon of a mesh that has too few points to be one; empty: there is none.
-std::string FindTooFewPoints(vtkPolyData* mesh)
+bool IsPolygon(int type)
 {
+  return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON;
+}
+
+// The first polygon of a data set that has too few points to be one; empty: there is none.
+std::string FindTooFewPoints(vtkDataSet* input)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(input);
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  vtkCellArray* cells = mesh ? mesh->GetPolys() : (grid ? grid->GetCells() : nullptr);
   std::string few;
   const auto isTooFew = [](const vtkIdType*, vtkIdType count) { return count < 3; };
-  if (!mesh || !vtkWaterHasCell(mesh->GetPolys(), isTooFew))
+  if (!cells || !vtkWaterHasCell(cells, isTooFew))
   {
     return few;
   }
-  const vtkIdType start = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-  vtkWaterForEachCell(mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType*, vtkIdType count) {
-    if (count < 3 && few.empty())
+  const vtkIdType start = mesh ? mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() : 0;
+  vtkWaterForEachCell(cells, [&](vtkIdType cell, const vtkIdType*, vtkIdType count) {
+    if (count < 3 && few.empty() && (mesh || IsPolygon(grid->GetCellType(cell))))
     {
       few = "cell " + std::to_string(start + cell) + " is a polygon of " + std::to_string(count) +
         " points; it must have at least 3";
@@ -114,7 +124,7 @@ int vtkWaterPlanesFilter::RequestData(
     vtkErrorMacro(<< wrong << ". There are no planes.");
     return 1; // once: a failure would be told by the pipeline, too
   }
-  const std::string few = FindTooFewPoints(vtkPolyData::SafeDownCast(input));
+  const std::string few = FindTooFewPoints(input);
   if (!few.empty())
   {
     vtkErrorMacro(<< few << ". Such cells are left out.");

@@ -263,6 +263,12 @@ double vtkWaterSurfaceFilter::GetMeanLevel()
     this->IsCutMissing = false;
     this->Update();
   }
+  return this->GetMeanOfUpdate();
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterSurfaceFilter::GetMeanOfUpdate()
+{
   if (!this->IsMeanKnown) // asked by few, and it takes a walk over all polygons
   {
     this->MeanLevel = MeanHeightOf(this->Surface);
@@ -459,6 +465,6 @@ void vtkWaterSurfaceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DryDepth: " << this->DryDepth << "\n";
   os << indent << "VerticalScale: " << this->VerticalScale << "\n";
   os << indent << "NumberOfCutCells: " << this->NumberOfCutCells << "\n";
-  os << indent << "MeanLevel: " << this->GetMeanLevel() << "\n";
+  os << indent << "MeanLevel: " << this->GetMeanOfUpdate() << "\n";
 }
 VTK_ABI_NAMESPACE_END

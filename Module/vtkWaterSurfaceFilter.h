@@ -31,6 +31,12 @@
  * block is a separate mesh; GetMeanLevel then returns the level of the last one. Heights are along
  * z; for other directions, transform the mesh first.
  *
+ * Do not change the output's cells in place: where everything is wet they are the input's, or, of a
+ * grid of rows, those that the filter keeps for the next steps. Change a deep copy.
+ *
+ * Hidden cells of grids and images (vtkDataSetAttributes::HIDDENCELL) are no water. Those of
+ * vtkPolyData are, as its mappers draw them.
+ *
  * Level, depth and bed must have the same unit. If one array seems to have another unit, a warning
  * names it, once, with the ranges of all arrays. The checks convert an array between millimetres,
  * centimetres, feet and metres. With all three arrays, there is a warning if level = bed + depth
@@ -156,6 +162,7 @@ private:
   void CheckSum(const std::vector<double>& levels, const std::vector<double>& depths,
     const std::vector<double>& beds);
   bool CheckDepths(vtkDataArray* depth);
+  double GetMeanOfUpdate(); // the last one; updates nothing
 
   std::string LevelArrayName;
   std::string DepthArrayName;

@@ -339,7 +339,11 @@ def known_cells(mesh, heights):
     """For each polygon, whether all of its corners have a height."""
     polygons = mesh.GetPolys()
     starts, corners = (vtk_to_numpy(part) for part in (polygons.GetOffsetsArray(), polygons.GetConnectivityArray()))
-    return np.logical_and.reduceat(np.isfinite(heights)[corners], starts[:-1]) if len(corners) else np.zeros(0, bool)
+    has_points = np.diff(starts) > 0
+    are_known = np.zeros(len(has_points), bool)
+    if has_points.any():
+        are_known[has_points] = np.logical_and.reduceat(np.isfinite(heights)[corners], starts[:-1][has_points])
+    return are_known
 
 
 def has_known_cells(mesh, heights):

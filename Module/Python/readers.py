@@ -144,13 +144,47 @@ def calm_around(bounds, reach):
 
 
 def polygons_of(data):
-    """The polygons of a data set: its surface if it has cells of volume."""
+    """The polygons of a data set: its surface if it has cells of volume.
+
+    Hidden cells of grids are left out. vtkPolyData is as it is: VTK draws them.
+    """
     if data.IsA("vtkPolyData"):
         return data
     surface = vtkDataSetSurfaceFilter()
     surface.SetInputData(data)
     surface.Update()
-    return surface.GetOutput()
+    polygons = surface.GetOutput()
+    if not data.IsA("vtkUnstructuredGrid"):  # of the others VTK's filter keeps them, and leaves them to mappers
+        leave_hidden(polygons)
+    return polygons
+
+
+def leave_hidden(polygons):
+    """Delete hidden cells, and those with a hidden point. Points stay."""
+    hidden = marked(polygons.GetCellData(), polygons.GetNumberOfCells(), vtkDataSetAttributes.HIDDENCELL)
+    points = marked(polygons.GetPointData(), polygons.GetNumberOfPoints(), vtkDataSetAttributes.HIDDENPOINT)
+    if points.any():
+        first = 0
+        for cells in (polygons.GetVerts(), polygons.GetLines(), polygons.GetPolys(), polygons.GetStrips()):
+            starts, corners = (vtk_to_numpy(part) for part in (cells.GetOffsetsArray(), cells.GetConnectivityArray()))
+            owners = np.repeat(np.arange(len(starts) - 1), np.diff(starts))
+            hidden[first + owners[points[corners]]] = True
+            first += len(starts) - 1
+    if hidden.any():
+        polygons.BuildCells()
+        for cell in np.flatnonzero(hidden).tolist():
+            polygons.DeleteCell(cell)
+        polygons.RemoveDeletedCells()
+
+
+def marked(attributes, count, bit):
+    """For each point or cell, whether VTK's marks of ghosts have a bit."""
+    found = np.zeros(count, bool)
+    marks = attributes.GetArray(vtkDataSetAttributes.GhostArrayName())
+    if marks is not None and marks.IsA("vtkUnsignedCharArray"):
+        values = vtk_to_numpy(marks).ravel()[:count]
+        found[:len(values)] = values & bit != 0
+    return found
 
 
 @contextlib.contextmanager
@@ -198,10 +232,8 @@ def read_mesh(module, name, what):
         if data.IsA("vtkImageData"):
             return surface_of_image(data, path, no_data)
         check_cells(data, path)
-        surface = vtkDataSetSurfaceFilter()
-        surface.SetInputData(data)
         normals = vtkPolyDataNormals()
-        normals.SetInputConnection(surface.GetOutputPort())
+        normals.SetInputData(polygons_of(data))
         normals.SetFeatureAngle(40.0)
         normals.Update()
         if normals.GetOutput().GetNumberOfCells() == 0:

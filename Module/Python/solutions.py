@@ -19,13 +19,13 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellTypes, vtkDataObject, vtkGenericCell
+from vtkmodules.vtkCommonDataModel import vtkCellTypes, vtkDataObject, vtkDataSetAttributes, vtkGenericCell
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 
 from .ahead import Ahead
-from .readers import HIGHEST, METRES_PER_DEGREE, FileError, check_cells, heard, polygons_of
+from .readers import HIGHEST, METRES_PER_DEGREE, FileError, check_cells, heard, marked, polygons_of
 from .sources import KINDS, open_source
 from .words import counted
 
@@ -287,9 +287,18 @@ def names_of(mesh):
 def have_same_cells(one, other):
     if (one.GetNumberOfPoints(), one.GetNumberOfCells()) != (other.GetNumberOfPoints(), other.GetNumberOfCells()):
         return False
-    parts = ("GetVerts", "GetLines", "GetPolys", "GetStrips") if one.IsA("vtkPolyData") else ("GetCells",)
-    return all(np.array_equal(vtk_to_numpy(getattr(one, part)().GetConnectivityArray()),
-                              vtk_to_numpy(getattr(other, part)().GetConnectivityArray())) for part in parts)
+    return all(np.array_equal(vtk_to_numpy(a), vtk_to_numpy(b)) for a, b in zip(lists_of(one), lists_of(other)))
+
+
+def lists_of(mesh):
+    """The arrays that tell the cells of a mesh: their points, where those of each start, and their types."""
+    parts = ("GetVerts", "GetLines", "GetPolys", "GetStrips") if mesh.IsA("vtkPolyData") else ("GetCells",)
+    cells = [getattr(mesh, part)() for part in parts]
+    lists = [array for part in cells for array in (part.GetConnectivityArray(), part.GetOffsetsArray())]
+    if mesh.IsA("vtkUnstructuredGrid"):
+        is_new = hasattr(mesh, "GetDistinctCellTypes")  # VTK 9.6
+        lists.append(mesh.GetCellTypes() if is_new else mesh.GetCellTypesArray())
+    return lists
 
 
 def leaves_of(data):
@@ -325,6 +334,10 @@ def mesh_of(data, path, is_volume):
         raise FileError(f"{path}: is empty: it has no cells")
     for leaf in leaves:
         check_cells(leaf, path)
+    leaves = [leaf for leaf in leaves if leaf.IsA("vtkPolyData") or
+              not marked(leaf.GetCellData(), leaf.GetNumberOfCells(), vtkDataSetAttributes.HIDDENCELL).all()]
+    if not leaves:
+        raise FileError(f"{path}: has no water: all of its cells are hidden")
     wanted = 3 if is_volume else 2
     found = [dimension_of(leaf) for leaf in leaves]
     if is_volume or max(found) < 3:  # walls of a volume are no surface of water

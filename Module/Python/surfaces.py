@@ -12,10 +12,12 @@ from numbers import Real
 import numpy as np
 import pyvista as pv
 
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
 
 from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 from .errors import heed, raising
+from .readers import polygons_of
 from .words import numbers, of_type
 
 __all__ = ["DataSurface", "check_has_water", "check_level", "color_surface", "exaggeration_of", "lakes_of",
@@ -266,6 +268,17 @@ def plane_of(level, normal, origin, scale):
     return [at * factor for at, factor in zip(point, scale)], [part / factor for part, factor in zip(normal, scale)]
 
 
+class Outside(VTKPythonAlgorithmBase):
+    """The polygons of a grid without its hidden cells, as a filter."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=1, inputType="vtkDataSet", nOutputPorts=1, outputType="vtkPolyData")
+
+    def RequestData(self, request, inputs, outputs):
+        vtkPolyData.GetData(outputs).ShallowCopy(polygons_of(vtkDataSet.GetData(inputs[0])))
+        return 1
+
+
 def mapper_of(surface):
     if not isinstance(surface, pv.DataSet):
         raise TypeError(f"surface must be a pyvista.DataSet, not {type(surface).__name__}")
@@ -273,7 +286,7 @@ def mapper_of(surface):
     if isinstance(surface, pv.PolyData):
         mapper.SetInputDataObject(surface)
     else:  # still connected: its points may move, and its arrays change
-        outside = vtkDataSetSurfaceFilter()  # PyVista's extract_surface is about to do something else
+        outside = Outside()  # PyVista's extract_surface is about to do something else
         outside.SetInputDataObject(surface)
         outside.Update()
         mapper.SetInputConnection(outside.GetOutputPort())

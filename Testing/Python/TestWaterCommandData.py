@@ -13,10 +13,16 @@ from PIL import Image
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
+    VTK_QUAD,
+    VTK_TETRA,
+    vtkCellArray,
+    vtkDataSetAttributes,
     vtkImageData,
     vtkMultiBlockDataSet,
+    vtkPolyData,
     vtkRectilinearGrid,
     vtkStructuredGrid,
+    vtkUnstructuredGrid,
 )
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
@@ -25,6 +31,10 @@ from vtkmodules.vtkIOLegacy import vtkDataSetWriter
 from vtkmodules import vtkIOHDF, vtkIONetCDF, vtkIOXML
 from vtkwater import command, measure, solutions
 from vtkwater.data_scenes import COLOR_MAPS, table_of
+
+
+from vtkwater import command, readers, solutions
+from vtkwater.data_scenes import COLOR_MAPS, known_cells, table_of
 from vtkwater.scenes import Scene
 from vtkwater.ugrid import UgridMesh
 
@@ -261,6 +271,67 @@ def test_between_other_meshes_the_earlier_is_shown(folder):
     judge_mesh("between", solution.at(9.0), -0.5)
     wt.check_equal("told", "steps 0 and 1 differ" in solution.note, True)
     wt.check_equal("of the later one, points", solution.at(10.0).GetNumberOfPoints(), 18)
+
+
+@pytest.mark.parametrize("first, second, equal", (
+    (((0, 1, 2), (3, 4, 5, 6)), ((0, 1, 2, 3), (4, 5, 6)), False),
+    (((0, 1, 2), (3, 4, 5, 6)), ((0, 1, 2), (3, 4, 5, 6)), True)))
+def test_polygons_with_other_corners_are_other_cells(first, second, equal):
+    """Even if the corners of all of them, one after the other, are the same."""
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.random.default_rng(1).uniform(size=(7, 3)), deep=True))
+    meshes = []
+    for polygons in (first, second):
+        meshes.append(vtkPolyData())
+        meshes[-1].SetPoints(points)
+        meshes[-1].SetPolys(vtkCellArray())
+        for corners in polygons:
+            meshes[-1].GetPolys().InsertNextCell(len(corners), corners)
+    wt.check_equal("the same", solutions.have_same_cells(*meshes), equal)
+
+
+def test_cells_of_other_types_are_other_cells():
+    meshes = []
+    for kind in (VTK_TETRA, VTK_QUAD, VTK_TETRA):
+        meshes.append(vtkUnstructuredGrid())
+        meshes[-1].SetPoints(structured().GetPoints())
+        meshes[-1].InsertNextCell(kind, 4, (0, 1, COLUMNS + 1, COLUMNS))
+    wt.check_equal("the same", [solutions.have_same_cells(meshes[0], mesh) for mesh in meshes], [True, False, True])
+
+
+@pytest.mark.parametrize("kind", (".vti", ".vtr", ".vts", ".vtu"))
+def test_hidden_cells_are_no_part_of_a_solution(kind, tmp_path):
+    mesh = XML[kind][0]()
+    marks = np.zeros(mesh.GetNumberOfCells(), np.uint8)
+    path = tmp_path / f"hidden{kind}"
+    for wanted in (10, 0):
+        marks[wanted:] = vtkDataSetAttributes.HIDDENCELL
+        array = numpy_to_vtk(marks, deep=True)
+        array.SetName(vtkDataSetAttributes.GhostArrayName())
+        mesh.GetCellData().AddArray(array)
+        write_xml(path, mesh)
+        if wanted:
+            wt.check_equal("cells", solutions.Solution(path, ["h"]).step(0).GetNumberOfCells(), wanted)
+            if kind in (".vts", ".vtu"):
+                wt.check_equal("cells of a surface", readers.read(path).data.GetNumberOfCells(), wanted)
+    with pytest.raises(solutions.FileError, match="all of its cells are hidden"):
+        solutions.Solution(path, ["h"])
+
+
+def test_a_polygon_without_points_beside_holes_of_the_bed(tmp_path, capsys):
+    """The last cell of the mesh has none: it is no part of the ground."""
+    mesh = polygons(0.5)
+    mesh.GetPolys().InsertNextCell(0)
+    heights = vtk_to_numpy(mesh.GetPointData().GetArray("zb"))
+    heights[0] = np.nan
+    wt.check_equal("known cells", known_cells(mesh, heights.astype(float))[[0, 1, -2, -1]].tolist(),
+                   [False, True, True, False])
+    for name in [mesh.GetCellData().GetArrayName(i) for i in range(mesh.GetCellData().GetNumberOfArrays())]:
+        mesh.GetCellData().RemoveArray(name)
+    write_xml(tmp_path / "hole.vtp", mesh)
+    status, _, told = run(tmp_path, capsys, "render", tmp_path / "hole.vtp", *DATA, *LOOK, "--out",
+                          tmp_path / "hole.png")
+    wt.check_equal("status, errors", (status, told), (0, ""))
 
 
 def test_only_two_steps_are_kept(folder):

@@ -10,7 +10,8 @@ import TestWaterSurfaceFilter
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_POLYGON, VTK_QUAD, VTK_VERTEX, vtkCellArray, vtkPolyData,
+                                           vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
@@ -521,6 +522,28 @@ def test_a_wrong_cell_is_told(corners, has_points, planes, text):
     wt.check_equal("errors", len(errors), 1)
     wt.check_equal(f"the error says {text!r}", text in errors[0], True)
     wt.check_equal("planes", filtered.GetNumberOfPlanes(), planes)
+
+
+def test_a_polygon_of_a_grid_with_too_few_points_is_told():
+    """Lines and vertices may have so few."""
+    mesh = mesh_of((0.0, 0.2))
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(mesh.GetPoints())
+    for quad in vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 4).tolist():
+        grid.InsertNextCell(VTK_QUAD, 4, quad)
+    filtered = vtkWaterPlanesFilter()
+    errors = wt.errors_of(filtered)
+    filtered.SetInputData(grid)
+    for kind, corners in ((VTK_LINE, (0, 1)), (VTK_VERTEX, (0,))):
+        grid.InsertNextCell(kind, len(corners), corners)
+        filtered.Update()
+        wt.check_equal("errors for a line and a vertex", errors, [])
+    grid.InsertNextCell(VTK_POLYGON, 2, (0, 1))
+    grid.Modified()
+    filtered.Update()
+    text = "cell 4 is a polygon of 2 points; it must have at least 3"
+    wt.check_equal(f"the error says {text!r}", [text in error for error in errors], [True])
+    wt.check_equal("planes", filtered.GetNumberOfPlanes(), 2)
 
 
 @pytest.mark.parametrize("make, setter, values, text", (

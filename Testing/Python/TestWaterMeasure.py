@@ -7,15 +7,16 @@ import json
 import numpy as np
 import pytest
 import water_test as wt
-from TestWaterSurfaceFilter import HALF, add_array, bed_at, flooded, mesh_of, places_of, surface_of, wet_area
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from TestWaterSurfaceFilter import HALF, add_array, bed_at, flooded, hide, mesh_of, places_of, surface_of, wet_area
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkImageData, vtkPolyData, vtkStructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPointDataToCellData
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOExport import vtkGLTFExporter
 from vtkmodules.vtkIOGeometry import vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLStructuredGridWriter
 from vtkmodules.vtkRenderingCore import vtkCellPicker, vtkPolyDataMapper
 from vtkwater import measure, vtkWaterActor, vtkWaterLakes
 from vtkwater.data_scenes import table_of
@@ -344,6 +345,49 @@ def test_the_cell_of_a_point_is_its_share_of_the_polygons_around_it():
     mesh.GetStrips().InsertNextCell(4, (0, 2, 1, 3))  # two triangles: the first point is a corner of one
     wt.check_at_most("of a strip, off by", float(np.abs(np.subtract(measure.flooded_cells(mesh, "h"), 1 / 6)).max()),
                      1e-12)
+
+
+def half_hidden(kind):
+    """6 x 2 unit cells with the depth 1, of points and of cells; the three columns on the right are hidden."""
+    if kind == "image":
+        mesh = vtkImageData()
+    else:
+        mesh, points = vtkStructuredGrid(), vtkPoints()
+        y, x = np.mgrid[0:3, 0:7].astype(float)
+        points.SetData(numpy_to_vtk(np.stack([x, y, 0.0 * x], axis=-1).reshape(-1, 3), deep=True))
+        mesh.SetPoints(points)
+    mesh.SetDimensions(7, 3, 1)
+    add_array(mesh, "h", np.ones(21))
+    add_array(mesh, "of cells", np.ones(12), of_cells=True)
+    hide(mesh.GetCellData(), 12, [3, 4, 5, 9, 10, 11], vtkDataSetAttributes.HIDDENCELL)
+    if kind == "polygons":
+        outside = vtkDataSetSurfaceFilter()
+        outside.SetInputData(mesh)
+        outside.Update()
+        return outside.GetOutput()
+    return mesh
+
+
+@pytest.mark.parametrize("kind, area", (("image", 6.0), ("rows", 6.0), ("polygons", 12.0)))
+def test_hidden_cells_of_grids_are_not_measured(kind, area):
+    """Those of vtkPolyData are, as they are drawn. Where cells are hidden the mesh ends: there is no shore."""
+    mesh = half_hidden(kind)
+    _, surface, _ = surface_of(mesh, DepthArrayName="h")
+    wt.check_equal("of the water", measure.flooded(surface), (area, area))
+    for name in ("h", "of cells"):
+        wt.check_equal(f"by {name}", measure.flooded_cells(mesh, name), (area, area))
+    wt.check_equal("lines of shores", measure.shoreline(surface, mesh).GetNumberOfLines(), 0)
+
+
+def test_a_gauge_in_a_hidden_cell_is_dry(tmp_path):
+    mesh = half_hidden("rows")
+    path = tmp_path / "hidden.vts"
+    writer = vtkXMLStructuredGridWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(mesh)
+    writer.Write()
+    found = measure.gauges(Solution(path, ["h"]), [(1.5, 0.5), (4.5, 0.5)], depth="h")
+    wt.check_equal("depths", np.isfinite(found["WaterDepth"]).tolist(), [[True, False]])
 
 
 def test_cells_of_a_sloping_lake_hold_its_water():

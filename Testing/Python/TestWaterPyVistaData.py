@@ -10,6 +10,7 @@ import pytest
 import water_test as wt
 from TestWaterDataBar import along_bar, check_steps, pixels_at
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkVariant
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 from vtkmodules.vtkFiltersPoints import vtkSPHInterpolator, vtkSPHQuinticKernel
 
 try:
@@ -97,6 +98,25 @@ def test_a_surface_that_moves_is_followed(kind, plotter):
         mesh["c"] = -np.asarray(mesh["c"])
         changed = (from_above(plotter) != before).any(axis=2).mean()
         wt.check_at_least(f"other colours at {height}: pixels that change, %", 100 * changed, 20)
+
+
+@pytest.mark.parametrize("kind", ("rows", "image", "cells"))
+def test_hidden_cells_are_no_water(kind, plotter):
+    """Without arrays of heights, too; and those that are hidden later."""
+    rows = solution()
+    mesh = {"rows": lambda: rows, "cells": rows.cast_to_unstructured_grid,
+            "image": lambda: pv.ImageData(dimensions=(41, 41, 1), spacing=(0.25, 0.25, 1), origin=(-5, -5, 0))}[kind]()
+    marks = np.zeros(mesh.n_cells, np.uint8)
+    marks[mesh.cell_centers().points[:, 0] > 0] = vtkDataSetAttributes.HIDDENCELL
+    if kind != "image":
+        mesh.cell_data["vtkGhostType"] = marks
+    water = plotter.add_water(mesh)
+    if kind == "image":
+        wt.check_equal("bounds, nothing hidden", water.GetBounds()[:2], (-5, 5))
+        mesh.cell_data["vtkGhostType"] = marks
+        from_above(plotter)
+    wt.check_equal("bounds", water.GetBounds()[:2], (-5, 0))
+    wt.check_equal("area", measure.flooded(water)[0], 50.0)
 
 
 def pools(levels, scale=1.0):

@@ -235,6 +235,21 @@ def test_software_renderers_cut_in_the_filter(monkeypatch):
     assert made.water.GetIsShoreCutWhileDrawn()
 
 
+def test_printing_runs_no_pipeline():
+    """A step that was cut while it was drawn is not cut again for its mean level; who asks for that has it."""
+    made = Tide(vtkWaterLakes.CUT_WHILE_DRAWN, tide_depth)
+    surface = made.water.SetData(made.source.GetOutputPort(), "", "h", "zb")
+    made.pictures()
+    runs = []
+    surface.AddObserver("StartEvent", lambda *_: runs.append(1))
+    wt.check_equal("printed", "MeanLevel" in str(surface), True)
+    wt.check_equal("runs by printing", len(runs), 0)
+    level = surface.GetMeanLevel()
+    wt.check_equal("runs by asking", len(runs), 1)
+    wt.check_at_most("level off by", abs(level - tide.level_of(STEPS[-1])), 1e-6)
+    wt.check_equal("printed then", f"MeanLevel: {level:g}"[:14] in str(surface), True)
+
+
 def test_wrong_number_is_an_error():
     water = vtkWaterLakes()
     errors = []

@@ -380,6 +380,20 @@ def test_cells_of_hidden_points_are_left_out():
     wt.check_equal("cells", surface.GetNumberOfPolys(), mesh.GetNumberOfCells() - 5)
 
 
+def test_the_shore_has_the_marks_of_its_wet_end():
+    """Marks are bits: the mean of 0 and HIDDENPOINT is DUPLICATEPOINT, another mark."""
+    mesh = polygons_of(np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float), [range(4)])
+    add_array(mesh, "z", (1, 1, 0, 0))
+    add_array(mesh, "zb", (0, 0, 2, 2))
+    for wet, dry in ((0, vtkDataSetAttributes.HIDDENPOINT), (vtkDataSetAttributes.DUPLICATEPOINT, 0)):
+        array = numpy_to_vtk(np.array((wet, wet, dry, dry), np.uint8), deep=True)
+        array.SetName(vtkDataSetAttributes.GhostArrayName())
+        mesh.GetPointData().AddArray(array)
+        _, surface, _ = surface_of(mesh, LevelArrayName="z", BedArrayName="zb")
+        made = vtk_to_numpy(surface.GetPointData().GetArray(vtkDataSetAttributes.GhostArrayName())).tolist()
+        wt.check_equal("marks", made, [wet] * 4)
+
+
 def test_the_z_of_the_mesh_is_the_bed_where_none_is_given():
     mesh = flooded(0.4)
     places = places_of(mesh, False)

@@ -22,7 +22,7 @@ public:
   ~vtkWaterGridPolygons();
 
   // As vtkWaterPolygonsOf. Points and polygons of a grid of flat cells are its own, in its order;
-  // hidden cells are left out.
+  // hidden cells of grids are left out. vtkPolyData keeps them, as VTK draws them.
   void Make(vtkDataSet* input, vtkPolyData* mesh);
 
 private:

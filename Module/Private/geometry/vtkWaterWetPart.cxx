@@ -329,6 +329,18 @@ void vtkWaterWetPart::KeepKnownValues(vtkPointData* from, vtkPointData* to) cons
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterWetPart::KeepMarks(vtkPointData* from, vtkPointData* to) const
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  vtkDataArray* made = to->GetArray(name);
+  vtkDataArray* given = from->GetArray(name);
+  for (size_t i = 0; made && given && i < this->Edges.size(); ++i)
+  {
+    made->SetTuple(CountOf(this->Kept) + static_cast<vtkIdType>(i), this->Edges[i].From, given);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterWetPart::AddArrays(vtkPolyData* output) const
 {
   const vtkIdType kept = CountOf(this->Kept);
@@ -351,6 +363,7 @@ void vtkWaterWetPart::AddArrays(vtkPolyData* output) const
     to->InterpolateEdge(from, kept + static_cast<vtkIdType>(i), edge.From, edge.To, edge.Share);
   }
   this->KeepKnownValues(from, to);
+  this->KeepMarks(from, to);
   if (this->Mesh->GetCellData()->GetNumberOfArrays() == 0)
   {
     return;

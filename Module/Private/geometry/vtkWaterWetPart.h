@@ -60,6 +60,8 @@ private:
   void AddArrays(vtkPolyData* output) const;
   // Where one end of a shore edge has no number, as land without data, the shore has the other's.
   void KeepKnownValues(vtkPointData* from, vtkPointData* to) const;
+  // Marks of ghosts are bits, which have no mean: the shore has those of the wet end.
+  void KeepMarks(vtkPointData* from, vtkPointData* to) const;
 
   vtkPolyData* Mesh;
   const double* Levels;
