@@ -134,6 +134,8 @@ static inline size_t shader_combinations(water_feature_set* sets)
         sets[count++] = water_features_with_port(hardware);
         sets[count++] = water_features_with_ground(asked);
         sets[count++] = water_features_with_ground(hardware);
+        sets[count++] = water_features_with_open(asked);
+        sets[count++] = water_features_with_open(hardware);
       }
       // a mesh whose vertices VTK does not let us move
       sets[count++] = asked & still;

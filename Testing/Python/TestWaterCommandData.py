@@ -29,11 +29,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
 from vtkmodules import vtkIOHDF, vtkIONetCDF, vtkIOXML
-from vtkwater import command, measure, solutions
-from vtkwater.data_scenes import COLOR_MAPS, table_of
-
-
-from vtkwater import command, readers, solutions
+from vtkwater import command, measure, readers, solutions
 from vtkwater.data_scenes import COLOR_MAPS, known_cells, table_of
 from vtkwater.scenes import Scene
 from vtkwater.ugrid import UgridMesh
