@@ -27,7 +27,6 @@ from vtkmodules.vtkRenderingCore import vtkMapper
 from . import vtkWaterSurfaceFilter
 from .errors import raising
 from .readers import HIGHEST, polygons_of
-from .solutions import odd_units
 
 __all__ = ["flooded", "flooded_cells", "gauges", "probe", "profile", "shoreline", "surface"]
 
@@ -186,6 +185,8 @@ def gauges(solution, points, *, level=None, depth=None, bed=None, dry_depth=None
     UserWarning
         If the file states a unit for one of the named arrays that is no known length.
     """
+    from .solutions import odd_units  # it needs more of VTK than the others here
+
     places = places_of(points)
     for text in odd_units(solution, (level, depth, bed)):
         warnings.warn(f"{solution.path}: {text}", stacklevel=2)
