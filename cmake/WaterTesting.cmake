@@ -3,7 +3,8 @@
 #
 #   water_add_test(NAME <name> COMMAND <command>... [LABELS <label>...] [TIMEOUT <seconds>]
 #     [PROPERTIES <property> <value>...] [ALL_WINDOWS | NO_WINDOW] [LARGE_PICTURES])
-#   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...])
+#   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...]
+#     [ALONE TestA ...])
 #   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...]
 #     [LARGE TestA ...])
 #
@@ -18,6 +19,8 @@
 # ONCE names those that judge formulas, shaders and our own Python. All build trees render with the same rasteriser, so a
 # second VTK shows nothing new: WATER_TESTS_ONCE=OFF leaves them out of its build tree. The other tests there find
 # WATER_TESTS_ONCE=0 in their environment, and may leave out what the first VTK has shown of the test itself.
+#
+# ALONE names those that are judged by their time. Nothing runs beside them.
 #
 # LARGE_PICTURES (LARGE): Mesa's llvmpipe compiles every shader by LLVM. For small pictures that takes most of a test's time,
 # and half of it without LLVM's optimiser, which is off then (GALLIVM_PERF=nopt). For large ones it would take longer.
@@ -190,9 +193,10 @@ endfunction()
 # One executable for all files, in VTK's manner: TestA.cxx holds int TestA(int argc, char* argv[]).
 # -V is always given: a picture without a baseline fails and is not passed over.
 function(water_add_cxx_tests)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK;ONCE;WINDOWS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK;ONCE;WINDOWS;ALONE")
   water_check_names(QUICK "${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
   water_check_names(WINDOWS "${arg_WINDOWS}" "${arg_UNPARSED_ARGUMENTS}")
+  water_check_names(ALONE "${arg_ALONE}" "${arg_UNPARSED_ARGUMENTS}")
   set(driver vtkRenderingWaterCxxTests)
   list(APPEND CMAKE_MODULE_PATH "${VTK_DIR}") # VTK's own build has its CMake files there already
   include(vtkTestingDriver) # what main does before a test
@@ -216,7 +220,11 @@ function(water_add_cxx_tests)
     endif()
     water_labels(labels ${test} "cxx;${arg_LABELS}" "${arg_QUICK}")
     water_all_windows(all_windows ${test} "${arg_WINDOWS}")
-    water_add_test(NAME ${test} ${all_windows}
+    set(properties)
+    if(test IN_LIST arg_ALONE)
+      set(properties PROPERTIES RUN_SERIAL ON)
+    endif()
+    water_add_test(NAME ${test} ${all_windows} ${properties}
       COMMAND ${driver} ${test}
         -D "${water_test_dir}/Data" -T "{output}" -V "${water_test_dir}/Data/Baseline/${test}.png"
       LABELS ${labels}

@@ -11,7 +11,7 @@ import pytest
 import water_test as wt
 from PIL import Image
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
 from vtkmodules.vtkCommonDataModel import (
     VTK_QUAD,
     VTK_TETRA,
@@ -316,6 +316,8 @@ def test_hidden_cells_are_no_part_of_a_solution(kind, tmp_path):
 
 def test_a_polygon_without_points_beside_holes_of_the_bed(tmp_path, capsys):
     """The last cell of the mesh has none: it is no part of the ground."""
+    if vtkVersion.GetVTKMajorVersion() == 9 and vtkVersion.GetVTKMinorVersion() < 2:
+        pytest.skip("VTK 9.1 crashes when it copies a polygon without points")
     mesh = polygons(0.5)
     mesh.GetPolys().InsertNextCell(0)
     heights = vtk_to_numpy(mesh.GetPointData().GetArray("zb"))
