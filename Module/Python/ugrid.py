@@ -72,9 +72,10 @@ class UgridMesh:
                 raise self._not(f"its time {i} is {time:g}; it must be finite")
         sorted_times, self._order = np.unique(values, return_index=True)
         self.times = sorted_times.tolist()
-        for i, time in enumerate(values):
-            if time in values[:i]:
-                raise TimesError(f"{path}: its time {i} is {time:g}, as an earlier one; times must ascend")
+        repeated = np.setdiff1d(np.arange(len(values)), self._order)  # those in order are the first of each time
+        if repeated.size:
+            i = repeated[0]
+            raise TimesError(f"{path}: its time {i} is {values[i]:g}, as an earlier one; times must differ")
 
     def files_of(self, i):
         return ()

@@ -21,24 +21,19 @@ std::string FindWrongOffset(vtkCellArray* cells)
   const vtkIdType count = offsets->GetNumberOfValues();
   const vtkIdType most = cells->GetNumberOfConnectivityIds();
   const int64_t* starts = vtkWaterCellLists(cells).Starts;
-  std::atomic<vtkIdType> wrong{ -1 };
-  vtkWaterForBlocks(count, [&](vtkIdType, vtkIdType begin, vtkIdType end) {
-    const auto at = [offsets, starts](vtkIdType i) {
-      return starts ? static_cast<vtkIdType>(starts[i])
-                    : static_cast<vtkIdType>(offsets->GetComponent(i, 0));
-    };
-    for (vtkIdType i = begin; i < end; ++i)
+  vtkIdType before = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkIdType start = starts ? static_cast<vtkIdType>(starts[i])
+                                   : static_cast<vtkIdType>(offsets->GetComponent(i, 0));
+    if (start < before || start > most || (i == 0 && start != 0))
     {
-      const vtkIdType least = i > 0 ? at(i - 1) : 0;
-      if (at(i) < least || at(i) > most || (i == 0 && at(i) != 0))
-      {
-        wrong = i;
-      }
+      return "offset " + std::to_string(i) +
+        " of the cells is wrong; offsets must ascend from 0 to at most " + std::to_string(most);
     }
-  });
-  return wrong < 0 ? std::string()
-                   : "offset " + std::to_string(wrong) +
-      " of the cells is wrong; offsets must ascend from 0 to at most " + std::to_string(most);
+    before = start;
+  }
+  return {};
 }
 
 // What is wrong with the points of a grid of rows; empty: nothing is.
