@@ -7,7 +7,8 @@ import json
 import numpy as np
 import pytest
 import water_test as wt
-from TestWaterSurfaceFilter import HALF, add_array, bed_at, flooded, hide, mesh_of, places_of, surface_of, wet_area
+from TestWaterSurfaceFilter import HALF, add_array, bed_at, flooded, mesh_of, places_of, surface_of, wet_area
+from TestWaterSurfaceMeshes import hide
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkImageData, vtkPolyData, vtkStructuredGrid

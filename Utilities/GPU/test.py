@@ -25,7 +25,7 @@ TESTING = PROJECT / "Testing"
 PACK = pathlib.Path(os.environ["WATER_GPU_PACK"])
 NOT_HERE = {
     "TestWaterPyVista": "PyVista is not in the pack",
-    **dict.fromkeys(("TestExampleBreakwater", "TestWaterCommandData", "TestWaterFileUnits", "TestWaterSolutionFaults"),
+    **dict.fromkeys(("TestExampleBreakwater", "TestWaterCommandData", "TestWaterFileUnits", "TestWaterSolutionFaults", "TestWaterSolutions"),
                     "VTK's readers of NetCDF and HDF are not in the pack"),
     "TestMatrixNamesEveryClass": "the pack has a part of VTK",
     **dict.fromkeys(("TestWaterRanks", "TestWaterRankFeatures", "TestWaterRanksTable"), "MPI is not in the pack"),
