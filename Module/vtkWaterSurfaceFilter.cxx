@@ -345,9 +345,7 @@ bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
   }
   double range[2];
   depth->GetFiniteRange(range);
-  const double noise = range[1] < 0.0 ? 0.0 : this->DryDepth; // of a dry step
-  const bool isKnown = range[0] <= range[1]; // the first is above the second if none is finite
-  if (!isKnown || range[0] >= -noise)
+  if (!water_heights_are_negative(range[0], range[1], this->DryDepth))
   {
     return true;
   }

@@ -417,13 +417,23 @@ TEST(three_heights_must_agree_where_it_is_wet)
   assert_true(sum.is_wrong == 1 && fabs(sum.off - 2.4) < 1e-9);
 }
 
-TESTS(three_heights_must_agree_where_it_is_wet, levels_of_dry_faces_are_found,
-  dry_faces_that_are_not_shown_are_no_matter, a_shore_is_no_dry_land, a_level_shore_is_no_dry_land,
-  a_few_faces_and_those_without_values_tell_nothing, places_without_values_tell_nothing,
-  nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_evidence,
-  dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
-  no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
-  the_height_in_another_unit_is_found, a_flat_tank_has_no_wrong_unit,
-  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
-  a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
-  two_heights_are_needed)
+TEST(depths_that_are_negative_have_the_wrong_sign)
+{
+  assert_true(water_heights_are_negative(-5.0, -1e-9, 1.0));
+  assert_true(water_heights_are_negative(-5.0, 0.0, 1.0));
+  assert_false(water_heights_are_negative(-1.0, 0.0, 1.0)); // of a dry step
+  assert_false(water_heights_are_negative(0.0, 0.0, 0.0));
+  assert_false(water_heights_are_negative(-5.0, 1e-9, 0.0));
+  assert_false(water_heights_are_negative(1.0, -1.0, 0.0)); // there are none
+}
+
+TESTS(depths_that_are_negative_have_the_wrong_sign, three_heights_must_agree_where_it_is_wet,
+  levels_of_dry_faces_are_found, dry_faces_that_are_not_shown_are_no_matter, a_shore_is_no_dry_land,
+  a_level_shore_is_no_dry_land, a_few_faces_and_those_without_values_tell_nothing,
+  places_without_values_tell_nothing, nine_places_are_too_few, flat_land_tells_nothing,
+  films_of_water_are_no_evidence, dry_places_tell_the_unit_of_a_level_of_0,
+  dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
+  marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
+  a_flat_tank_has_no_wrong_unit, dry_land_tells_the_unit_of_the_level,
+  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found,
+  depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine, two_heights_are_needed)

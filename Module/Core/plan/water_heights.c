@@ -257,6 +257,12 @@ water_heights_verdict water_heights_judge(
   return verdict;
 }
 
+bool water_heights_are_negative(double low, double high, double dry_depth)
+{
+  const double noise = high < 0.0 ? 0.0 : dry_depth;
+  return low <= high && high <= 0.0 && low < -noise;
+}
+
 void water_heights_add_face(
   double level, const double* beds, size_t count, double dry_depth, water_heights_faces* faces)
 {

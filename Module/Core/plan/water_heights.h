@@ -40,6 +40,12 @@ typedef struct water_heights_verdict
 water_heights_verdict water_heights_judge(
   const double* levels, const double* depths, const double* beds, size_t count);
 
+// Have depths the wrong sign? None is above 0, and some are below, by more than the noise of a dry
+// step if others are 0.
+//
+// low, high  the range of the finite ones; low > high: there are none
+bool water_heights_are_negative(double low, double high, double dry_depth);
+
 // Faces with one level each, and with beds at their corners: of those that the shore cuts, how many
 // have their own bed as the level, as solvers write it where a face is dry? Such a level is land,
 // which looks like a puddle if the bed is known at the corners only. Begins as 0.
