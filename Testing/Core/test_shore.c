@@ -78,6 +78,22 @@ TEST(depths_cross_zero_at_the_shore)
   assert_true(water_shore_depth(false, 3.0, -(double)INFINITY) < 0.0);
 }
 
+// A dry cell whose bed lies below the water beside it is dry as a whole.
+TEST(a_dry_cell_with_a_low_bed_is_behind_a_dyke)
+{
+  const double none = (double)NAN;
+  const double far_below = -(double)INFINITY;
+  const double levels[] = { 2.0, none, 3.0 }; // mean 2.5: the unknown one does not count
+  const double low[] = { 1.0, 4.0, 2.4 };
+  const double high[] = { 2.0, 3.0, 2.5 };
+  const double half[] = { 2.6, far_below, none };
+  assert_true(water_shore_is_dyke(levels, low, 3));
+  assert_false(water_shore_is_dyke(levels, high, 3)); // just reaches the level
+  assert_false(water_shore_is_dyke(levels, half, 3));
+  assert_true(water_shore_is_dyke(levels, half + 1, 2)); // no bed is known
+  assert_true(water_shore_is_dyke(levels + 1, high, 1)); // no level is
+}
+
 static void assert_corner(water_shore_corner corner, size_t from, size_t to, double share)
 {
   assert_true(corner.from == from && corner.to == to);
@@ -218,5 +234,6 @@ TEST(land_has_the_level_of_its_bed)
 TESTS(the_shore_is_a_share_of_the_way_along_its_edge, triangles_cover_a_polygon,
   two_heights_make_the_third, a_level_alone_is_wet, what_is_shallow_or_no_number_is_dry,
   fill_values_of_files_are_dry, depths_cross_zero_at_the_shore, polygons_are_cut_at_the_shore,
-  a_corner_on_the_shore_stands_once, water_that_meets_land_twice_is_split,
-  columns_are_those_of_single_points, land_has_the_level_of_its_bed)
+  a_dry_cell_with_a_low_bed_is_behind_a_dyke, a_corner_on_the_shore_stands_once,
+  water_that_meets_land_twice_is_split, columns_are_those_of_single_points,
+  land_has_the_level_of_its_bed)

@@ -61,6 +61,25 @@ double water_shore_depth(bool is_wet, double level, double bed)
   return depth_of(is_wet, level, bed);
 }
 
+// Mean of the finite ones; NaN without any.
+static double mean_of(const double* heights, size_t count)
+{
+  double sum = 0.0;
+  size_t known = 0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const bool counts = isfinite(heights[i]);
+    sum += counts ? heights[i] : 0.0;
+    known += counts ? 1 : 0;
+  }
+  return known > 0 ? sum / (double)known : (double)NAN;
+}
+
+bool water_shore_is_dyke(const double* levels, const double* beds, size_t count)
+{
+  return !(mean_of(beds, count) >= mean_of(levels, count)); // also where one is not known
+}
+
 double water_shore_level(double level, double bed)
 {
   return isfinite(level) ? level : (fabs(bed) <= water_shore_highest ? bed : 0.0);

@@ -65,6 +65,14 @@ typedef struct water_shore_rows
 // Returns whether a wet point has no water by its level and bed.
 bool water_shore_columns(const water_shore_rows* rows, size_t count, double dry_depth);
 
+// Is a cell that the solver calls dry kept dry by a dyke? It is unless the mean height of its bed
+// reaches the mean level of its corners. Then all of it is dry, not only what rises above the
+// water.
+//
+// levels  of the corners, as in water_shore_depth; those that are not finite do not count
+// beds    of the corners, likewise; without any, nothing shows that the bed is high enough
+bool water_shore_is_dyke(const double* levels, const double* beds, size_t count);
+
 // The level of a point as a surface has it: where there is none, that of its bed, otherwise 0.
 double water_shore_level(double level, double bed);
 

@@ -321,16 +321,19 @@ void vtkWaterColumns::FindDykes(vtkPolyData* mesh)
   {
     return;
   }
+  std::vector<double> levels;
+  std::vector<double> beds;
   vtkWaterForEachCell(
     mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-      Mean levels;
-      Mean beds;
+      levels.clear();
+      beds.clear();
       for (vtkIdType i = 0; i < count; ++i)
       {
-        levels.Add(this->Levels[static_cast<size_t>(points[i])]);
-        beds.Add(this->Beds[static_cast<size_t>(points[i])]);
+        levels.push_back(this->Levels[static_cast<size_t>(points[i])]);
+        beds.push_back(this->Beds[static_cast<size_t>(points[i])]);
       }
-      if (!this->IsCellWet[static_cast<size_t>(cell)] && !(beds.Get() >= levels.Get()))
+      if (!this->IsCellWet[static_cast<size_t>(cell)] &&
+        water_shore_is_dyke(levels.data(), beds.data(), levels.size()))
       {
         this->Dykes.push_back(cell);
         return;
