@@ -196,6 +196,7 @@ void vtkWaterSurfaceShader::SetMediumParameters(vtkShaderProgram* program)
   uniforms::Set4(program, "waterClipW", clipW);
   uniforms::SetMatrix4x3(program, "waterDirToScene", dirToScene);
   const bool isOwn = this->HasOwnView(); // it has one sample a pixel
+  uniforms::Set(program, "waterSceneIsOwnView", isOwn ? 1 : 0);
   uniforms::Set(program, "waterSceneIsMixed", !isOwn && this->Backdrop.GetIsMixed() ? 1 : 0);
   uniforms::Set(program, "waterMediumIsSorted", !isOwn && this->Backdrop.GetSorted() ? 1 : 0);
 }
