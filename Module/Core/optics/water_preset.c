@@ -25,9 +25,18 @@
 #define NO_SEA GROWING(1.0, 1000.0, DEEP) // a good value, in case it is switched on
 #define NO_WAVES                                                                                   \
   {                                                                                                \
-    { 0.0, 1.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0, 0.0 },                                      \
     {                                                                                              \
       0.0, 1.0, 0.0, 0.0, 0.0                                                                      \
+    }                                                                                              \
+  }
+// of rms slope 0.0113 each; in all directions, as the walls of a pool send them back
+#define RIPPLES                                                                                    \
+  {                                                                                                \
+    { 0.00217, 0.85, 0.30, 4.66, 0.0 }, { 0.00178, 0.70, 2.30, 5.92, 0.0 },                        \
+      { 0.00149, 0.58, -1.98, 5.79, 0.0 }, { 0.00133, 0.52, 0.02, 2.92, 0.0 },                     \
+      { 0.00102, 0.40, 2.02, 4.08, 0.0 }, { 0.00084, 0.33, -2.27, 0.71, 0.0 },                     \
+    {                                                                                              \
+      0.00074, 0.29, -0.27, 1.55, 0.0                                                              \
     }                                                                                              \
   }
 
@@ -41,12 +50,10 @@ typedef struct recipe
 static const recipe recipes[] = {
   { WATER_TYPE_COUNT, 0.0,
     { "pool",
-      "Pope and Fry 1997 (absorption of pure water), Morel 1974 (scattering); three chosen ripples "
-      "of rms slope 0.027",
+      "Pope and Fry 1997 (absorption of pure water), Morel 1974 (scattering); seven chosen ripples "
+      "of rms slope 0.030",
       FRESNEL, { { 0.340, 0.0565, 0.00922 }, { 0.00047, 0.00096, 0.00228 } }, false, NO_SEA,
-      { { 0.0020, 0.60, 0.0, 0.0, 0.0 }, { 0.0012, 0.35, 1.1, 2.0, 0.0 },
-        { 0.0008, 0.22, -0.9, 4.0, 0.0 } },
-      3, { 8.0, 40.0, 0.0 } } },
+      RIPPLES, 7, { 8.0, 40.0, 0.0 } } },
   { WATER_TYPE_1C, 0.012,
     { "lake",
       "Jerlov 1976 (1C stands in for a lake), chosen backward scattering of 1.2 g/m^3 of particles "

@@ -18,7 +18,7 @@ extern "C"
 
 enum
 {
-  WATER_PRESET_WAVES = 3
+  WATER_PRESET_WAVES = 7
 };
 
 typedef struct water_preset
