@@ -94,42 +94,32 @@ class DataWater:
         self._colors = color_by
         self._mapper = vtkPolyDataMapper()
         self._mapper.ScalarVisibilityOff()
-        self.filter = contour_of(*contour) if contour else vtkWaterSurfaceFilter()
+        self._contoured = contour[0] if contour else None
+        self._lakes = None if contour else vtkWaterLakes()  # each in its own plane, which a river's slope tilts
+        if contour:
+            self.filter = self._shown = contour_of(*contour)  # it has normals
+            self.water = level_water(self._mapper)
+        else:
+            self.filter = surface_of(level, depth, bed, dry_depth, exaggeration)
+            self._shown = normals_of(self.filter)
+            self.water = self._lakes.GetWater()
+            self._lakes.SetMapper(self._mapper)
+            setattr(self.water, WHOLE, self._mapper)
+        self._mapper.SetInputConnection(self._shown.GetOutputPort())
         self.notes = odd_units(solution, (level, depth, bed))  # what a user may not expect
         heed(self.filter, self.notes.append)
-        self._is_contour = bool(contour)
-        self._contoured = contour[0] if contour else None
-        if not contour:
-            self.filter.SetLevelArrayName(LEVEL if isinstance(level, float) else level or "")
-            self.filter.SetDepthArrayName(depth or "")
-            self.filter.SetBedArrayName(bed or "")
-            with raising(self.filter, DryDepth="dry depth", VerticalScale="exaggeration"):
-                self.filter.SetVerticalScale(exaggeration)
-                if dry_depth is not None:
-                    self.filter.SetDryDepth(dry_depth)
-        self._shown = self.filter if contour else normals_of(self.filter)  # a contour has them
-        self._mapper.SetInputConnection(self._shown.GetOutputPort())
-        self._lakes = None if contour else vtkWaterLakes()  # each in its own plane, which a river's slope tilts
-        self.water = scene.water = vtkWaterActor() if contour else self._lakes.GetWater()
+        scene.water = self.water
         set_look(self.water.GetWaterProperty(), **words)
         self.water.GetWaterProperty().SetVerticalExaggeration(exaggeration)
         if data is not None:
             self._give(data)
         if color_by:
             self._color(color_by, cmap, clim, log_scale)
-        if contour:
-            self.water.SetMapper(self._mapper)
-            plane = vtkPlane()
-            plane.SetNormal(0.0, 0.0, 1.0)
-            self.water.SetPlane(plane)
-        else:
-            self._lakes.SetMapper(self._mapper)
-            setattr(self.water, WHOLE, self._mapper)
         self._begin()
-        if contour:
-            scene.renderer.AddActor(self.water)
-        else:
+        if self._lakes:
             self._lakes.AddTo(scene.renderer)
+        else:
+            scene.renderer.AddActor(self.water)
 
     def show(self, time):
         """Show the water of a time of the file; returns whether anything is wet then."""
@@ -142,7 +132,7 @@ class DataWater:
     @property
     def level(self):
         """Mean height of the water that is shown, as it is drawn."""
-        return self.water.GetLevel() if self._is_contour else self.filter.GetMeanLevel()
+        return self.water.GetLevel() if self._contoured else self.filter.GetMeanLevel()
 
     def times_text(self, time):
         """A time, and those of the file, for a user."""
@@ -181,11 +171,11 @@ class DataWater:
                 break
         else:
             raise ValueError(f"{self.solution.path}: {self._dry_text()}")
-        heights = None if self._is_contour else bed_of(mesh, self._level, **self._names)
+        heights = None if self._contoured else bed_of(mesh, self._level, **self._names)
         surface = self.filter.GetOutput()
         lowest = surface.GetBounds()[4]
         if heights is None:
-            kept = mesh if self._is_contour else surface  # all of the volume is in view
+            kept = mesh if self._contoured else surface  # all of the volume is in view
             shown = kept.NewInstance()
             shown.ShallowCopy(kept)
             self.scene.set_ground(Surface(shown))
@@ -201,7 +191,7 @@ class DataWater:
         """Why there is no water, with the ranges of the arrays."""
         times = self.solution.times
         when = f" at any time, {times[0]:g} to {times[-1]:g}" if len(times) > 1 else ""
-        names = [self._contoured] if self._is_contour else [self._level, *self._names.values()]
+        names = [self._contoured] if self._contoured else [self._level, *self._names.values()]
         ranges = {name: self.solution.range_of(name) for name in names if isinstance(name, str)}
         texts = [f"'{name}' is {ends[0]:g} to {ends[1]:g}" if ends else f"'{name}' has no finite value"
                  for name, ends in ranges.items()]
@@ -212,7 +202,7 @@ class DataWater:
         mesh = self.solution.at(time)
         if self._colors is not None and self.solution.factor_of(self._colors) != 1.0:
             mesh = with_stated(mesh, self._colors, self.solution.factor_of(self._colors))
-        if self._is_contour and mesh.GetPointData().GetArray(self._contoured) is None:
+        if self._contoured and mesh.GetPointData().GetArray(self._contoured) is None:
             convert = vtkCellDataToPointData()
             convert.PassCellDataOn()
             convert.SetInputData(mesh)
@@ -231,7 +221,7 @@ class DataWater:
         self.filter.SetInputData(mesh)
         with raising(self.filter, LevelArrayName="level", DepthArrayName="depth"):
             self.filter.Update()
-        if not self._is_contour:
+        if not self._contoured:
             self._lakes.Update()
             return
         self.water.SetLevel(0.0)
@@ -316,6 +306,29 @@ def contour_of(name, value):
     contour.SetInputArrayToProcess(0, 0, 0, 0, name)  # of points
     contour.SetValue(0, value)
     return contour
+
+
+def surface_of(level, depth, bed, dry_depth, exaggeration):
+    """A filter that gives a solver's water; the arguments are those of DataWater."""
+    surface = vtkWaterSurfaceFilter()
+    surface.SetLevelArrayName(LEVEL if isinstance(level, float) else level or "")
+    surface.SetDepthArrayName(depth or "")
+    surface.SetBedArrayName(bed or "")
+    with raising(surface, DryDepth="dry depth", VerticalScale="exaggeration"):
+        surface.SetVerticalScale(exaggeration)
+        if dry_depth is not None:
+            surface.SetDryDepth(dry_depth)
+    return surface
+
+
+def level_water(mapper):
+    """A water of a mapper's mesh, which mirrors in one level plane."""
+    water = vtkWaterActor()
+    water.SetMapper(mapper)
+    plane = vtkPlane()
+    plane.SetNormal(0.0, 0.0, 1.0)
+    water.SetPlane(plane)
+    return water
 
 
 def bed_of(mesh, level, depth, bed):
