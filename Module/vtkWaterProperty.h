@@ -780,9 +780,9 @@ public:
   ///@{
   /**
    * Rays of the ray-traced lookup: the number of rays for a pixel whose neighbour has another
-   * colour, in [1, 16]. All other pixels have one. Rough water, whose pixels have several facets,
-   * ignores this setting. GPUs ignore it too, because it costs a quarter of the frame there, unless
-   * RayTraceLayers is 2. Default is 4.
+   * colour, in [1, 16]. All other pixels have one. Pixels of rough water, which have several
+   * facets, have four if this number is larger than 4, and otherwise one. Unless RayTraceLayers is
+   * 2, GPUs ignore this setting, because it costs a quarter of the frame there. Default is 4.
    */
   void SetRayTraceRays(int rays);
   vtkGetMacro(RayTraceRays, int);

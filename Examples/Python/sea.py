@@ -119,6 +119,7 @@ def main():
     look.SetSeaCascades(3)
     look.WaveGeometryOn()
     look.WhitecapsOn()
+    look.SetRayTraceQualityToHigh()  # less grain in the ship's reflection
     water.SetSheetToHorizon()
     water.SetTime(time)
 

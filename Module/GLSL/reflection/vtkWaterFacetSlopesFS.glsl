@@ -59,6 +59,20 @@ float waterFacetNode(int i, int count)
   return node * (count == 4 ? (i < 2 ? 0.378 : 1.363) : 1.0);
 }
 
+// Where the ray of one of several facets goes among its slopes. One of several rays of a pixel has its own: of eight or
+// sixteen parts of all slopes four rays have different ones. What only the steepest slopes show is lost between nodes.
+//
+// ray  of the pixel; 0: the only one
+float waterFacetAim(int i, int count, int ray)
+{
+  int part = (ray + (i < 2 ? 0 : 2)) & 3;
+  part = (i & 1) == 0 ? part : 3 - part;
+  vec4 inner = count == 4 ? vec4(0.078, 0.237, 0.403, 0.580) : vec4(0.158, 0.491, 0.892, 1.647);
+  vec4 means = i < 2 ? inner : vec4(0.777, 1.013, 1.325, 1.968);
+  float aim = ((i & 1) == 0 ? -1.0 : 1.0) * dot(means, vec4(equal(ivec4(part), ivec4(0, 1, 2, 3))));
+  return ray > 0 ? aim : waterFacetNode(i, count);
+}
+
 // How wide a part of the sky each of several facets stands for, radians: a slope turns a ray by twice its angle. The share
 // of their distance is that of waterBlurred, of a way to both sides.
 //

@@ -33,6 +33,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
     share = (isOne ? 1.0 : (count == 4 ? 0.25 : 0.5)) *
       (isFresnel ? waterFresnel(cosine, eta) : given);
     reflectance += share;
+    normal = waterFacetNormal(point, azimuth, slopes.x + waterFacetAim(i, count, waterRay) * slopes.y);
     hit = waterEstimateHit(point, normal);
     waterRefineHit(point.start, isOne, hit);
     if (!isOne)

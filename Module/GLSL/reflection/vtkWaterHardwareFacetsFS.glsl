@@ -24,13 +24,14 @@ struct WaterFacet
   float share;   // of the light
 };
 
+// aimed  the normal for its ray
 // depth  that the reflection texture has at the point
 // share  of the pixel
-WaterFacet waterAimFacet(WaterPoint point, vec3 normal, float depth, float share)
+WaterFacet waterAimFacet(WaterPoint point, vec3 normal, vec3 aimed, float depth, float share)
 {
   WaterFacet facet;
   facet.share = share * waterFacetReflectance(point, normal);
-  vec3 dir = reflect(point.ray, normal);
+  vec3 dir = reflect(point.ray, aimed);
   dir.z = max(abs(dir.z), 1e-6);
   facet.hit = waterAim(point.start, point.startW, dir);
   facet.hit.color = waterSky(dir);
@@ -116,10 +117,11 @@ vec3 waterSeveralFacets(WaterPoint point, vec2 azimuth, float variance, int coun
   for (int i = 0; i < count; ++i)
   {
     vec3 normal = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i, count) * slopes.y);
-    WaterFacet facet = waterAimFacet(point, normal, depth, share);
+    vec3 aimed = waterFacetNormal(point, azimuth, slopes.x + waterFacetAim(i, count, waterRay) * slopes.y);
+    WaterFacet facet = waterAimFacet(point, normal, aimed, depth, share);
     reflectance += facet.share;
     waterTraceFacet(point.start, facet);
-    waterCrossFacet(point, normal, i, facet.hit);
+    waterCrossFacet(point, aimed, i, facet.hit);
     reflected += facet.hit.isPlace ? vec3(0.0) : facet.share * facet.hit.color;
     // the last four move along
     places.inner = vec4(places.inner.zw, places.outer.xy);

@@ -6,16 +6,17 @@ uniform int waterRays;          // of such a pixel
 uniform float waterRayContrast; // how much another
 
 const int WATER_FEW_RAYS = 4; // more than these look for edges within each pixel, too
+const int WATER_ROUGH_RAYS = 4; // where a pixel's facets are blurred, which takes more than few rays
 const float WATER_NEARLY_SMOOTH = 2e-4; // waterSmooth of several rays, which are marched; facets are not
 const float WATER_BLURRED = 1e-3; // slope variance from which a pixel's facets are blurred so far that it has no edges
 
-// Place of a ray in its pixel, from the middle: the first is there, of the others no two are in one row or column, and
-// the first two of them are far apart.
-vec2 waterRayPlace(int ray)
+// Place of one of so many rays in its pixel, from the middle: the first is there, of the others no two are in one row or
+// column, and the first two of them are far apart.
+vec2 waterRayPlace(int ray, int rays)
 {
-  int other = ray == waterRays ? 2 : ray;
-  float number = float(ray == 2 ? waterRays : other) - 0.5;
-  return ray == 0 ? vec2(0.0) : vec2(number / float(waterRays), fract(0.618034 * number)) - 0.5;
+  int other = ray == rays ? 2 : ray;
+  float number = float(ray == 2 ? rays : other) - 0.5;
+  return ray == 0 ? vec2(0.0) : vec2(number / float(rays), fract(0.618034 * number)) - 0.5;
 }
 
 // What a pixel reflects, as waterFacets, which it is where neighbours are alike. Reason and place are the middle's.
@@ -34,13 +35,17 @@ vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, in
   bool areSeveral = waterRays > 1; // which see what changes evenly
   point.variance.xy = max(point.variance.xy - (areSeveral ? point.even : vec2(0.0)), vec2(0.0));
   waterSmooth = areSeveral ? WATER_NEARLY_SMOOTH : waterSmooth;
-  bool mayBeEdge = areSeveral && point.variance.x + point.variance.y <= WATER_BLURRED;
-  int sure = mayBeEdge && waterRays > WATER_FEW_RAYS ? 2 : 0; // rays beside the first that look for an edge in the pixel
+  bool isRough = point.variance.x + point.variance.y > WATER_BLURRED;
+  bool areMany = waterRays > WATER_FEW_RAYS;
+  bool mayBeEdge = areSeveral && (areMany || !isRough);
+  int rays = isRough ? WATER_ROUGH_RAYS : waterRays;
+  int sure = areMany && !isRough ? 2 : 0; // rays beside the first that look for an edge in the pixel
   int last = sure;
   int ray = 0;
   do
   {
-    WaterPoint at = waterMovedPoint(point, waterRayPlace(ray), across, down);
+    WaterPoint at = waterMovedPoint(point, waterRayPlace(ray, rays), across, down);
+    waterRay = ray;
     vec4 seen;
     int why = reason;
     vec2 where = uv;
@@ -50,7 +55,7 @@ vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, in
     bool isFirst = ray == 0;
     vec3 change = max(isFirst ? max(abs(dFdx(seen.rgb)), abs(dFdy(seen.rgb))) : vec3(0.0), high - low);
     bool isEdge = mayBeEdge && max(change.r, max(change.g, change.b)) > waterRayContrast;
-    last = isEdge && ray <= sure ? waterRays : last;
+    last = isEdge && ray <= sure ? rays : last;
     reason = isFirst ? why : reason;
     uv = isFirst ? where : uv;
     sum += isFirst && last > 0 ? vec4(0.0) : seen;

@@ -32,6 +32,7 @@ uniform sampler2D waterSceneOtherPlace; // depth of the one with fewer; from the
 
 #include "vtkWaterDataColor.glsl"
 
+int waterRay = 0; // of several rays of a pixel; 0: the first, or the only one
 float waterSmooth = 2e-5; // slope variance up to which a pixel has one facet: its reflection blurs by half a degree
 
 struct WaterPoint
