@@ -379,8 +379,8 @@ public:
   ///@}
 
   /**
-   * 0 while the sheet reaches to the horizon, because it has no bounds for pickers. Otherwise, and
-   * while pixels are selected, the value of SetPickable.
+   * The value of SetPickable; 0 while the sheet reaches to the horizon and no pixels are being
+   * selected, because the sheet then has no bounds for pickers.
    */
   vtkTypeBool GetPickable() override;
 

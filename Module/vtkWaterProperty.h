@@ -221,9 +221,9 @@ public:
    * treated as a scene in metres, a smaller one as 200 to 400 m across, a larger one as 1000 to
    * 2000 m across. A preset may have other ranges (a pool: 4 to 32 units are metres, a smaller
    * scene is 4 to 8 m across, a larger one 20 to 40 m). Waves shorter than 1/400 of the scene are
-   * then not shown, and GetWaveHeight agrees with what is shown. In a map, heights often have
-   * another scale than widths. Without a preset, light is therefore attenuated as if the deepest
-   * bed were 30 m deep, or 120 m if the scene is ten times as wide as deep. A flat bed, such as the
+   * then not shown, and GetWaveHeight agrees with what is shown. Without a preset, light
+   * is attenuated as if the deepest bed were 30 m deep, or 120 m in a wide scene, ten times as wide
+   * as deep, whose heights often have another scale than its widths. A flat bed, such as the
    * floor of a pool or a tank, is treated as 5 m deep if the water's automatic sheet ends with its
    * ground. If the automatic sheet reaches to the horizon, the deepest part of the objects in the
    * water is treated as 10 m deep. Default is 1.

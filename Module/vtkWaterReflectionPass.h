@@ -111,8 +111,9 @@ public:
     PROPS = 1 << 5,           ///< props that no visible water reflects
     PIECES = 1 << 6,          ///< parts of large meshes, and blocks of composite data, that no
                               ///< visible water reflects
-    PIXELS = 1 << 7,          ///< pixels of the mirrored view that no visible water reflects; with
-                              ///< PROPS and PIECES also what only hidden pixels of water reflect
+    PIXELS = 1 << 7,          ///< pixels of the mirrored view that no visible water reflects; in
+                              ///< software rendering, with PROPS or PIECES, also the props or
+                              ///< pieces that only hidden pixels of water reflect
     SKIP_ALL = (1 << 8) - 1
   };
 
@@ -305,8 +306,8 @@ public:
    * TextureScale and the steps that are set. TARGET_ERROR: as coarse as possible while the median
    * error of the lookup stays within TargetError; the error is estimated from the waves' slopes and
    * the area of a pixel on the water. TIME_BUDGET: from the time that the mirrored view and the
-   * surface took on the GPU in previous frames. UPDATE_RATE: likewise, for half of the time that
-   * the window's DesiredUpdateRate leaves for a frame; a still picture is refined at once.
+   * surface took on the GPU in previous frames. UPDATE_RATE: as TIME_BUDGET, with half of the
+   * frame time that the window's DesiredUpdateRate allows; a still picture is refined at once.
    *
    * The last three use a ladder of eight steps, with texture scales from 1 to 0.25 instead of
    * TextureScale, and at most the ray steps that are set. They do not oscillate between two steps.
@@ -364,7 +365,8 @@ public:
    * the ranks. Translucent props and volumes are blended rank by rank, in the order in which the
    * mirrored camera sees the bounding boxes of each rank's translucent objects; the result is
    * correct if these boxes do not overlap. Pixels of textures (normal maps, environment) are not
-   * compared. A controller of a single process has no effect. For frames that one rank renders
+   * compared. A controller of a single process has no effect, unless MPI has
+   * started several processes. For frames that one rank renders
    * alone, set nullptr on all ranks. vtkWaterLakes does not support ranks: only its first water has
    * the controller. A controller that is not initialised, or is finalised, is an error of every
    * frame until another is set, and the water shows its plain colour. A controller of one process

@@ -22,8 +22,8 @@
  *
  * Many solvers write the bed of a cell as the level of dry cells. If the bed is known at the points
  * only, such a level lies over the lowest corners of the cell, and the filter cannot tell it from a
- * puddle: give the depth of the cells, too, instead of the bed (level and depth, or depth and bed),
- * or the bed of the cells. A warning tells this, once, if most of the cells that the shore cuts
+ * puddle: give the depth of the cells, with either the level or the bed as the second array; or
+ * give the bed of the cells. A warning reports this, once, if most of the cells that the shore cuts
  * have such a level.
  *
  * Output points have the arrays "WaterLevel" and "WaterDepth" (0 at the shore; absent with only the
@@ -31,8 +31,9 @@
  * block is a separate mesh; GetMeanLevel then returns the level of the last one. Heights are along
  * z; for other directions, transform the mesh first.
  *
- * Do not change the output's cells in place: where everything is wet they are the input's, or, of a
- * grid of rows, those that the filter keeps for the next steps. Change a deep copy.
+ * Do not change the output's cells in place. Where everything is wet, they are the input's own
+ * cells or, for a structured or rectilinear grid or an image, the cells that the filter keeps for
+ * the next steps. Change a deep copy.
  *
  * Hidden cells of grids and images (vtkDataSetAttributes::HIDDENCELL) are no water. Those of
  * vtkPolyData are, as its mappers draw them.
@@ -135,7 +136,7 @@ public:
 
   /**
    * Number of cells that the last update cut at the shore (NumberOfCutCells). A vtkWaterLakes that
-   * cuts the shore while it is drawn needs no update of this filter; whoever uses its output
+   * cuts the shore while drawing does not update this filter. Whoever uses the filter's output
    * updates it.
    */
   vtkGetMacro(NumberOfCutCells, vtkIdType);

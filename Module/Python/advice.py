@@ -57,7 +57,7 @@ def tell_level(level, heights, is_sheet):
 
 
 def tell_distance(surface, renderer):
-    """Warn of a surface that lies farther from the rest of the scene, without other waters, than both are wide.
+    """Warn of a gap between a surface and the rest of the scene, without other waters, of more than both diagonals.
 
     surface  its bounds in the renderer's own coordinates
     """
@@ -75,6 +75,6 @@ def tell_distance(surface, renderer):
     if gap > sizes:
         where = "; ".join(f"{name} {ours[0]:g} to {ours[1]:g} and {theirs[0]:g} to {theirs[1]:g}"
                           for name, (ours, theirs) in zip("xyz", axes))
-        warnings.warn(f"surface lies {gap:.3g} away from the scene, more than both are wide together, and does not "
+        warnings.warn(f"surface lies {gap:.3g} away from the scene, more than both diagonals together, and does not "
                       f"reflect it. Surface and scene lie in {where}. Do they have the same unit and origin?",
                       stacklevel=3)

@@ -291,7 +291,7 @@ def add_water(
     UserWarning
         If PyVista's notebook backend is ``'client'`` or ``'html'``, because vtk.js draws no water; if the water's
         level is below the whole terrain, which hides it; if it is above the whole scene by more than the scene's
-        diagonal; if the surface lies farther from the scene than both are wide together; if arrays of heights make
+        diagonal; if the gap between the surface and the scene is larger than their two diagonals added together; if arrays of heights make
         nothing wet, contradict each other or seem to have different units; or if one of the ``waves`` is steeper than
         water waves can be, which break at a height of 0.142 of their length. The text names the scene's heights, or
         both places, or the arrays and their ranges, or the wave.
