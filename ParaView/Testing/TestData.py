@@ -7,6 +7,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import water_scene  # noqa: E402
 from water_scene import pv  # noqa: E402
+from vtkmodules.vtkCommonDataModel import VTK_QUAD  # noqa: E402
 import data_scene  # noqa: E402
 
 FRONT = 70  # rows of the picture below the basin's front rim, under which a sheet is visible
@@ -118,6 +119,41 @@ class TestData(unittest.TestCase):
         pv.Show(pv.Water(Level=0.3, Extent="Bounds", SheetBounds=[-4.0, 4.0, -4.0, 4.0]), self.view)
         self.assertGreater(water_scene.differing(dry, sheet), 6000)
         self.assertLess(water_scene.differing(sheet, self.at(0.0, "data-any-sheet"), 2), 20)
+
+    def show_tilted(self, data, name):
+        """The picture of data as water, its mean level, and where ParaView's camera stands to see all of it."""
+        source = pv.TrivialProducer()
+        source.GetClientSideObject().SetOutput(data)
+        view = water_scene.make_view()
+        water_scene.add_sphere(view, 1.2)
+        shown = pv.Show(source, view, "WaterSurfaceRepresentation")
+        shown.ColorArrayName = [None, ""]
+        picture = water_scene.picture(view, name)
+        level = water_scene.of(shown, "MeanLevel")
+        self.assertEqual(water_scene.of(shown, "LastError"), "")
+        view.ResetCamera()
+        seen_from = view.GetActiveCamera().GetPosition()
+        pv.Delete(view)
+        pv.Delete(source)
+        return picture, level, seen_from
+
+    def test_hidden_cells_and_points_are_no_water(self):
+        """Whatever heights they have: picture, level and bounds are those of the cells that are left."""
+        _, level, seen_from = self.show_tilted(data_scene.tilted(None), "data-hidden-no-fill")
+        expected, _, _ = self.show_tilted(data_scene.tilted("none"), "data-hidden-none")  # its points take fewer digits
+        for kind in ("cells", "points"):
+            for form in ("grid", "mesh"):
+                data = data_scene.tilted(kind, form)
+                picture, found, place = self.show_tilted(data, "data-hidden-%s-%s" % (kind, form))
+                off = water_scene.differing(expected, picture)
+                print("hidden %s of a %s: %d pixels are off, mean level %.9g, %.9g" % (kind, form, off, found, level))
+                with self.subTest(kind=kind, form=form):
+                    self.assertEqual(off, 0)
+                    self.assertAlmostEqual(found, level, places=6)
+                    for one, other in zip(place, seen_from):
+                        self.assertAlmostEqual(one, other, places=6)
+                if form == "mesh":  # what is shown is as it was
+                    self.assertEqual({data.GetCellType(cell) for cell in range((data_scene.COUNT - 1) ** 2)}, {VTK_QUAD})
 
     def test_a_state_file_restores_the_surface(self):
         shown = pv.Show(data_scene.surface_of(self.reader), self.view)

@@ -7,7 +7,8 @@ import os
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkImageData, vtkPolyData, vtkStructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 import water_scene
@@ -62,3 +63,44 @@ def open_steps(view, has_land=True):
 
 def surface_of(reader, **arrays):
     return pv.WaterSurface(Input=reader, **(arrays or {"DepthArray": "h", "BedArray": "zb"}))
+
+
+HIDDEN = 60, 80, 20, 50  # first and last column and row of the points that tilted gives a fill value
+
+
+def tilted(marked, form="mesh"):
+    """A tilted surface with a hole, where the points have a fill value for a height.
+
+    marked: the hole's "cells" or "points" are hidden; "none": it has no cells; None: and no fill value. form: a "grid"
+    or a "mesh" of polygons.
+    """
+    x, y = numpy.meshgrid(numpy.linspace(-4.0, 4.0, COUNT), numpy.linspace(-4.0, 4.0, COUNT))
+    z = 0.3 + 0.02 * x - 0.01 * y  # even: whichever diagonal halves a cell
+    column, row = numpy.meshgrid(numpy.arange(COUNT), numpy.arange(COUNT))
+    is_filled = (column >= HIDDEN[0]) & (column <= HIDDEN[1]) & (row >= HIDDEN[2]) & (row <= HIDDEN[3])
+    if marked:
+        z[is_filled] = 40.0
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.stack([x, y, z], axis=2).reshape(-1, 3).astype(numpy.float32), deep=True))
+    is_hole = is_filled[1:, 1:] | is_filled[:-1, 1:] | is_filled[1:, :-1] | is_filled[:-1, :-1]
+    first = (column[:-1, :-1] + COUNT * row[:-1, :-1])
+    corners = numpy.stack([first, first + 1, first + COUNT + 1, first + COUNT], axis=2)
+    if form == "grid":
+        data = vtkStructuredGrid()
+        data.SetDimensions(COUNT, COUNT, 1)
+    else:
+        corners = corners.reshape(-1, 4) if marked in ("cells", "points") else corners[~is_hole]
+        cells = vtkCellArray()
+        for quad in corners.tolist():
+            cells.InsertNextCell(4, quad)
+        data = vtkPolyData()
+        data.SetPolys(cells)
+        data.BuildCells()
+    data.SetPoints(points)
+    if marked in ("cells", "points"):
+        of_cells = marked == "cells"
+        bit = vtkDataSetAttributes.HIDDENCELL if of_cells else vtkDataSetAttributes.HIDDENPOINT
+        marks = numpy_to_vtk((bit * (is_hole if of_cells else is_filled)).astype(numpy.uint8).ravel(), deep=True)
+        marks.SetName(vtkDataSetAttributes.GhostArrayName())
+        (data.GetCellData() if of_cells else data.GetPointData()).AddArray(marks)
+    return data

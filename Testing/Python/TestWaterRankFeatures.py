@@ -47,6 +47,18 @@ def test_features_and_several_waters_are_the_serial_ones(cases):
         wt.check_at_least(f"{name}: share off if ranks do not join their views", apart, 20 * OF_ALL_PIXELS)
 
 
+def test_shades_are_off_no_more_than_the_engine_has_them(cases):
+    """VTK's shadow maps and ambient occlusion are those of a rank's own part, also on a plane of VTK's in the water's place."""
+    for what in ("shadow maps", "SSAO"):
+        found = {case["look"]: case for case in cases if case["case"] == "shades" and case["what"] == what}
+        wt.check_equal(f"{what}: looks", len(found), 6 if IS_WHOLE else 4)
+        dry, plane = found.pop("dry"), found.pop("sheet")
+        print(f"{what}: % of the pixels off: {100 * dry['off']:.1f} without water, {100 * plane['off']:.1f} with a plane")
+        for look, case in found.items():
+            wt.check_at_most(f"{what}, {look}: share of pixels off", case["off"], plane["off"])
+            wt.check_at_most("  share off / share off if ranks do not join their views", case["off"] / case["apart"], 0.9)
+
+
 def test_waves_find_what_is_blended(cases):
     """Translucent props and volumes of all ranks, by rays that look for their depth."""
     blended = [case for case in cases if case["case"] == "blended in waves"]

@@ -210,6 +210,38 @@ def show_features(ranks, given):
             compare(ranks, build, case, look, floor, reach, given.folder)
 
 
+def make_shadowed(view):
+    view.renderer.SetUseShadows(True)
+
+
+SHADES = {"shadow maps": make_shadowed, "SSAO": make_occluded}
+
+
+def show_shades(ranks, given):
+    """What VTK computes of a rank's own part alone: how much of the picture differs for it, with and without water."""
+    for case, change in SHADES.items() if is_wanted(given, "shades") else ():
+        for look in ("dry", "sheet", "calm", "clear waves", *(("clear", "waves") if given.whole else ())):
+
+            def build(mine, look=look, change=change):
+                view = program.make_view(mine, look, size=SIZE)
+                view.waters = [view.water] if view.water else []
+                change(view)
+                return view
+            total = len(program.things(look))
+            shown = [program.composed(ranks, joined(ranks, build(
+                lambda number, total=total: number * ranks.count // total == ranks.rank), is_joined))
+                for is_joined in (True, False)]
+            if ranks.rank != 0:
+                continue
+            serial = build(lambda number: True).picture()
+            if given.folder:
+                name = f"{given.folder}/shades-{ranks.count}-{case}-{look}".replace(" ", "-")
+                wt.save(shown[0], name + ".png")
+                wt.save(serial, name + "-serial.png")
+            program.say(ranks, case="shades", what=case, look=look, off=program.off(shown[0], serial),
+                        apart=program.off(shown[1], serial), rmse=rms(shown[0], serial))
+
+
 def show_waters(ranks, given):
     for case in {**WATERS, **MORE_WATERS} if given.whole else WATERS:
         if not is_wanted(given, case):
@@ -284,6 +316,7 @@ def main():
     given = parser.parse_args()
     ranks = program.Ranks()
     show_features(ranks, given)
+    show_shades(ranks, given)
     show_waters(ranks, given)
     show_blends(ranks, given)
     if is_wanted(given, "levels of detail"):

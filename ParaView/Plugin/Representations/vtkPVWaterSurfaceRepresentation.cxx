@@ -9,6 +9,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
@@ -20,9 +21,12 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkScalarsToColors.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterProperty.h"
 #include "water_placement.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -58,9 +62,48 @@ vtkSmartPointer<vtkPolyData> PolygonsOf(vtkDataObject* data)
   return result;
 }
 
+// Is a bit set in the marks of points or cells? Without marks it is not.
+bool IsMarked(vtkUnsignedCharArray* marks, vtkIdType i, unsigned char bit)
+{
+  return marks && i < marks->GetNumberOfValues() && (marks->GetValue(i) & bit) != 0;
+}
+
+// Leaves out the cells that are hidden, or have a hidden point, as vtkWaterSurfaceFilter does: what
+// a solver writes there is no height, and belongs neither to the mean level nor to the normals.
+void LeaveHidden(vtkPolyData* surface)
+{
+  vtkUnsignedCharArray* ofPoints = surface->GetPointGhostArray();
+  vtkUnsignedCharArray* ofCells = surface->GetCellGhostArray();
+  if (!ofPoints && !ofCells)
+  {
+    return;
+  }
+  surface->BuildCells();
+  bool isAnyHidden = false;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    surface->GetCellPoints(cell, count, points);
+    if (IsMarked(ofCells, cell, vtkDataSetAttributes::HIDDENCELL) ||
+      std::any_of(points, points + count, [ofPoints](vtkIdType point) {
+        return IsMarked(ofPoints, point, vtkDataSetAttributes::HIDDENPOINT);
+      }))
+    {
+      surface->DeleteCell(cell);
+      isAnyHidden = true;
+    }
+  }
+  if (isAnyHidden)
+  {
+    surface->RemoveDeletedCells();
+  }
+}
+
 void AddNormals(vtkPolyData* surface)
 {
-  const double* bounds = surface->GetBounds();
+  double bounds[6]; // without those of hidden cells
+  surface->GetCellsBounds(bounds);
   if (surface->GetNumberOfPolys() == 0 || surface->GetPointData()->GetNormals() ||
     bounds[4] == bounds[5])
   {
@@ -154,6 +197,7 @@ int vtkPVWaterSurfaceRepresentation::FillInputPortInformation(int, vtkInformatio
 void vtkPVWaterSurfaceRepresentation::Keep(vtkDataObject* input, vtkPolyData* piece)
 {
   vtkSmartPointer<vtkPolyData> polygons = PolygonsOf(input);
+  LeaveHidden(polygons);
   AddNormals(polygons); // with the cells of other ranks, if there are such
   polygons->RemoveGhostCells();
   piece->ShallowCopy(polygons);
@@ -163,7 +207,9 @@ void vtkPVWaterSurfaceRepresentation::Keep(vtkDataObject* input, vtkPolyData* pi
 void vtkPVWaterSurfaceRepresentation::Offer(vtkInformation* inInfo)
 {
   vtkPVView::SetPiece(inInfo, this, this->GetPiece());
-  vtkPVRenderView::SetGeometryBounds(inInfo, this, this->GetPiece()->GetBounds());
+  double bounds[6];
+  this->GetPiece()->GetCellsBounds(bounds); // without points that no cell uses
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
   // where the servers' pictures are blended in their order, each needs the part in its own space
   vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
     vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
