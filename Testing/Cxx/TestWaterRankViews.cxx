@@ -39,6 +39,7 @@ struct Look
   bool HasWaves;
 };
 
+constexpr int kOfMany = 3; // own view with waves
 const Look kLooks[] = { { "shadows on glitter", SUN_VIEW, false },
   { "shadows on waves", SUN_VIEW, true }, { "own view", OWN_VIEW, false },
   { "own view with waves", OWN_VIEW, true }, { "sky view", SKY_VIEW, true } };
@@ -255,10 +256,16 @@ bool Run(const WaterSocketRank& self)
   }
   return isGood;
 }
+
+// How depths of many ranks are joined does not depend on what is seen.
+bool RunOne(const WaterSocketRank& self)
+{
+  return Compare(self.Controller, kLooks[kOfMany]);
+}
 }
 
 int TestWaterRankViews(int, char*[])
 {
   const bool isGood = WaterRunRanks(4, kPatience, Run); // of 2 the other tests are
-  return WaterRunRanks(8, kPatience, Run) && isGood ? EXIT_SUCCESS : EXIT_FAILURE;
+  return WaterRunRanks(8, kPatience, RunOne) && isGood ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -13,7 +13,8 @@ endforeach()
 # Does it build, and does it link? Nothing of it runs, so it is built in the fastest way: not optimised, and many
 # files at a time.
 run("${CMAKE_COMMAND}" -S "${WORK_DIR}/source" -B "${WORK_DIR}/build" -G "${GENERATOR}"
-  "-DCMAKE_BUILD_TYPE=" "-DCMAKE_UNITY_BUILD=ON" "-DVTK_DIR=${VTK_DIR}" "-DPython3_EXECUTABLE=${PYTHON}")
+  "-DCMAKE_BUILD_TYPE=" "-DCMAKE_UNITY_BUILD=ON" "-DCMAKE_UNITY_BUILD_BATCH_SIZE=24"
+  "-DVTK_DIR=${VTK_DIR}" "-DPython3_EXECUTABLE=${PYTHON}")
 # Our Testing/ was taken in by that; building it a second time would show no more.
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --target water_module)
 if(NOT EXISTS "${WORK_DIR}/build/lib/libvtkRenderingWater.so")

@@ -108,6 +108,7 @@ def swell(name, begins, count, absorption):
     scene = Scene(SWELL, True)
     look = scene.water.GetWaterProperty()
     look.WaveGeometryOn()
+    look.SetWaveGridSize(128)
     look.SetAbsorption(*absorption)
     look.SetDeepColor(0, 0.3, 0.3)
     over = heights_through(count)

@@ -415,13 +415,20 @@ def test_info_tells_what_is_used(folder):
     wt.check_equal("info", (status, tells), (0, True))
 
 
+@pytest.fixture(scope="module")
+def of_a_kind(folder):
+    """Makes the picture of one scene as a file of a suffix's kind. The PNG is made once."""
+    def make(kind):
+        status, said = run(folder, "render", "valley.vti", *LEVEL_50, "--size", "240x160", "--out", f"kinds.{kind}")
+        wt.check_equal(f"{kind}: status of '{said.strip()}'", status, 0)
+    make("png")
+    return make
+
+
 @pytest.mark.parametrize("kind, begins", (("jpg", b"\xff\xd8\xff"), ("JPEG", b"\xff\xd8\xff"), ("webp", b"RIFF")))
-def test_a_picture_is_of_its_suffixs_kind(folder, kind, begins):
+def test_a_picture_is_of_its_suffixs_kind(folder, of_a_kind, kind, begins):
     """JPEG and WebP files show what the PNG shows."""
-    options = ("render", "valley.vti", *LEVEL_50, "--size", "240x160", "--out")
-    for name in ("kinds.png", f"kinds.{kind}"):
-        status, said = run(folder, *options, name)
-        wt.check_equal(f"{name}: status of '{said.strip()}'", status, 0)
+    of_a_kind(kind)
     wt.check_equal("first bytes", (folder / f"kinds.{kind}").read_bytes()[:len(begins)], begins)
     apart = np.abs(pixels_of(folder / "kinds.png").astype(int) - pixels_of(folder / f"kinds.{kind}"))
     wt.check_at_most("mean distance to the PNG, of 255", apart.mean(), 2.0)
@@ -431,9 +438,8 @@ def test_a_picture_is_of_its_suffixs_kind(folder, kind, begins):
 
 def json_of(folder, *arguments):
     """Exit status, the JSON on stdout, and what stderr has."""
-    done = subprocess.run([sys.executable, "-m", "vtkwater", *map(str, arguments), "--json"], capture_output=True,
-                          text=True, cwd=folder, timeout=120)
-    return done.returncode, json.loads(done.stdout), done.stderr
+    status, out, err = COMMANDS.run_apart(folder, *arguments, "--json")
+    return status, json.loads(out), err
 
 
 def test_results_are_json_for_pipelines(folder):

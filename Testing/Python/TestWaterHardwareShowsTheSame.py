@@ -50,6 +50,7 @@ def displaced(look):
     look.AddWave(0.15, 5.0, 20.0, 10.0)
     look.AddWave(0.05, 2.2, 80.0, 60.0)
     look.WaveGeometryOn()
+    look.SetWaveGridSize(96)
 
 
 def clear(look):
