@@ -8,8 +8,8 @@ int water_samples_side(int samples, const int size_px[2], int max_texture_px)
 {
   const int longer = size_px[0] > size_px[1] ? size_px[0] : size_px[1];
   int side = 1;
-  while (side < WATER_SAMPLES_SIDE_MAX && side * side < samples &&
-    longer <= max_texture_px / (side + 1))
+  while (
+    side < WATER_SAMPLES_SIDE_MAX && side * side < samples && longer <= max_texture_px / (side + 1))
   {
     ++side;
   }

@@ -104,8 +104,8 @@ bool vtkWaterBackdrop::Spread(
 {
   const Source source;
   vtkWaterSampleSpread::Picture picture;
-  const int side = water_samples_side(
-    source.Samples, rect + 2, vtkTextureObject::GetMaximumTextureSize(window));
+  const int side =
+    water_samples_side(source.Samples, rect + 2, vtkTextureObject::GetMaximumTextureSize(window));
   this->IsSpread = heightClip && FindSamples(source, picture) &&
     this->Ensure(window, side * rect[2], side * rect[3]) && SetPart(rect, part, picture) &&
     this->Samples.Draw(window, picture, heightClip, side, this->Color, this->Depth);

@@ -16,15 +16,14 @@
 
 namespace
 {
-constexpr const char* kCount = "WATER_SEEN_SAMPLES = 4"; // in vtkWaterSeenFS.glsl
+constexpr const char* kCount = "WATER_SEEN_SAMPLES = 4";         // in vtkWaterSeenFS.glsl
 constexpr const char* kSpreadCount = "WATER_SPREAD_SAMPLES = 4"; // in vtkWaterSpreadFS.glsl
 constexpr const char* kSide = "WATER_SPREAD_SIDE = 2";
 
 // GL's own call: VTK sets no integers of four.
 void SetRect(vtkShaderProgram* program, const char* name, const int rect[4])
 {
-  const GLint location =
-    glGetUniformLocation(static_cast<GLuint>(program->GetHandle()), name);
+  const GLint location = glGetUniformLocation(static_cast<GLuint>(program->GetHandle()), name);
   glUniform4iv(location, 1, rect);
 }
 
@@ -76,7 +75,8 @@ void vtkWaterSampleSpread::MakePrograms(int samples, int side)
     this->Source = vtkWaterSpreadFS;
     vtkShaderProgram::Substitute(
       this->Source, kSpreadCount, "WATER_SPREAD_SAMPLES = " + std::to_string(samples));
-    vtkShaderProgram::Substitute(this->Source, kSide, "WATER_SPREAD_SIDE = " + std::to_string(side));
+    vtkShaderProgram::Substitute(
+      this->Source, kSide, "WATER_SPREAD_SIDE = " + std::to_string(side));
   }
   this->Samples = samples;
   this->Side = side;
