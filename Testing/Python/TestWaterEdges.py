@@ -93,7 +93,7 @@ def test_edges_under_water_are_smooth(is_software, monkeypatch):
 
 
 # seeds: the most that errors at the edges may be of those without water, with 4 samples
-RATIOS = {8: 1.1, 4: 1.1, 10: 1.1, 12: 1.1, 6: 1.1, 102: 1.1, 116: 1.1}
+RATIOS = {8: 1.1, 4: 1.1, 10: 1.1, 12: 1.1, 6: 1.1, 102: 1.1}
 
 
 @pytest.mark.parametrize("is_software", (1, 0))
