@@ -203,7 +203,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "the same, in the water in front of an eye in it")                                             \
   X(shafts, vtkWaterNoShaftsFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(CAUSTICS), "none")  \
   X(others, vtkWaterOthersFS, WATER_FEATURE_FLAG(SAMPLES), 0,                                      \
-    "other surfaces in a multisampled pixel")                                                      \
+    "several rays of a multisampled pixel")                                                        \
   X(others, vtkWaterNoOthersFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(SAMPLES),           \
     "nothing")                                                                                     \
   X(refraction, vtkWaterMediumWalkFS, WATER_FEATURE_FLAG(MEDIUM),                                  \

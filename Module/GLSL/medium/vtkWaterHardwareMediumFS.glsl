@@ -12,18 +12,19 @@ const float WATER_MEDIUM_JUMP = 1.3;
 // Asking the texture takes as long as a read.
 vec2 waterMediumSize()
 {
-  return floor(1.0 / (waterViewport.zw * waterSceneScale) + 0.5);
+  return float(waterSceneSide) * floor(1.0 / (waterViewport.zw * waterSceneScale) + 0.5);
 }
 
 // Only beside the background, which may be much brighter, and what stands over the water: a look at more neighbours took
-// 4 % of a frame on an H200. Several rays of a multisampled picture's pixel need all edges.
+// 4 % of a frame on an H200. In a multisampled picture all edges are
+// looked for: what filtering mixes beside them has no sample.
 bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth)
 {
   vec3 near = vec3(
     waterMediumDepth(next), waterMediumDepth(vec2(next.x, middle.y)), waterMediumDepth(vec2(middle.x, next.y)));
   float nearest = min(near.x, min(near.y, near.z));
   bool isOver = dot(waterHeightClip, vec4(2.0 * vec3(next, nearest) - 1.0, 1.0)) > 0.0;
-  return waterMediumIsSorted != 0 || max(near.x, max(near.y, near.z)) >= 1.0 || isOver;
+  return waterSceneSide > 1 || max(near.x, max(near.y, near.z)) >= 1.0 || isOver;
 }
 
 // As in vtkWaterMediumWalkFS.glsl.

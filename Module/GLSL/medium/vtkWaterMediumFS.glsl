@@ -44,7 +44,6 @@ struct WaterMediumMet
   float way;          // m of water
   float lit;          // the same, to what caustics light: between the middles of pixels, too
   bool isUnderBorder; // the water ends before the ray meets anything: it is the bed under its border
-  bool isAtBorder;    // that, or so close to it that a pixel may show the end of both
   bool isNothing;     // there is none
 };
 
@@ -128,8 +127,6 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   // the bed is likelier than nothing where the picture does not show it
   bool isThere = met.depth < 1.0 &&
     (met.view.isOut || apart < WATER_MEDIUM_BELOW * waterBedDepth + WATER_MEDIUM_EDGE * pixel);
-  bool isClose = waterSide > 0.0 && met.way > border - WATER_MEDIUM_EDGE * pixel;
-  met.isAtBorder = met.isUnderBorder || (isClose && isFine);
   met.isNothing = met.isUnderBorder ? !isThere : met.view.isBelow;
   waterMediumGuess(point, dir, ray, most, met);
   return met;
@@ -160,12 +157,12 @@ vec3 waterTransmittedRay(WaterPoint point)
     return waterDeepColor;
   }
   WaterMediumView view = met.view;
+  waterMediumEnd = view.from;
   vec3 from = waterMediumColor(view.from, met.depth);
   vec3 to = from;
   vec3 ways = vec3(met.way); // of what is seen at the first place, at the second, and of both
   float depthTo = met.depth;
   bool areTwo = !view.isMet && !met.isUnderBorder;
-  waterMediumIsEdge = waterMediumIsEdge || areTwo;
   if (areTwo || met.isUnderBorder) // over level beds
   {
     depthTo = waterMediumDepth(view.to);
@@ -181,16 +178,10 @@ vec3 waterTransmittedRay(WaterPoint point)
   }
   float caustic = waterMediumLight(point, met, view.from, dir, areTwo || met.isUnderBorder ? ways.x : met.lit);
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
-  float gap = length((view.to - view.from) * waterMediumSize());
-  bool mayHaveOthers = view.isMet || (gap > 0.0 && gap < WATER_MEDIUM_GAP_PX);
-  int others = mayHaveOthers ? (met.isAtBorder ? 2 : 1) * waterMediumIsSorted : 0;
-  float begun = length((view.from - waterMediumPlace(point.ndc)) * waterMediumSize());
-  from = waterMediumWithOther(view.from, met.depth, others, begun, from, dir, caustic);
   if (areTwo)
   {
     caustic = waterMediumLight(point, met, view.to, dir, ways.y);
     to = depthTo >= 1.0 ? waterDeepColor : waterAfter(caustic * to, ways.y);
-    to = waterMediumWithOther(view.to, depthTo, others, begun, to, dir, caustic);
     from = mix(from, to, view.share);
   }
   return from;

@@ -8,7 +8,7 @@ uniform sampler2D waterSceneColor; // the picture; linear
 uniform sampler2D waterSceneDepth; // its window depth, 1: background; nearest
 uniform vec2 waterSceneScale;      // part of it that the eye sees
 uniform mat4 waterDirToScene;      // direction in the plane's axes -> its clip space
-uniform int waterMediumIsSorted;   // 1: its samples are, as of waterSceneIsSorted
+uniform int waterSceneSide;        // so many of its pixels lie along each side of one of the eye's: one for each sample
 uniform int waterIsSubmerged;      // 1: the eye is in the water
 uniform int waterSceneIsMixed;     // 1: pixels of the picture are means of several samples
 uniform float waterBedDepth;       // how far the scene reaches under the plane
@@ -26,7 +26,6 @@ const float WATER_MEDIUM_FINE = 0.4;     // of the depth, the width of a pixel
 const float WATER_MEDIUM_DEEPER = 1.01;  // than what is deepest: bounds are rounded
 const float WATER_MEDIUM_ENDLESS = 1e29; // length of a way that nothing limits
 const float WATER_MEDIUM_CLOSE_PX = 0.2; // two places are as good as one
-const float WATER_MEDIUM_GAP_PX = 4.0; // what is hidden over more is guessed from one thing
 const float WATER_MEDIUM_BETWEEN_PX = 3.0; // further away it is something else
 const float WATER_MEDIUM_INSIDE_PX = 1.0; // from the picture's border: beyond it there are no depths
 const float WATER_MEDIUM_BASE_PX = 8.0; // between two depths that tell a slope
@@ -243,7 +242,7 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
 // next  of the middles of the pixels that are read, the one that differs in u and v
 bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth);
 
-bool waterMediumIsEdge = false; // has a ray of this pixel met an edge of what the picture shows?
+vec2 waterMediumEnd = vec2(0.0); // where in the picture the last ray of this pixel has ended
 
 // A place of the picture whose colour is that of one object. Beside an edge, where filtering would
 // mix both sides, it is the centre of a pixel. Pixels with several samples are mixed themselves:
@@ -262,8 +261,8 @@ vec2 waterMediumUnmixed(vec2 uv, float depth)
   vec2 before = depth - near.xy;
   vec2 after = near.zw - depth;
   vec2 slope = mix(before, after, lessThan(abs(after), abs(before)));
-  // edges of sorted pixels go to and fro: between two others a pixel has no slope
-  slope *= mix(vec2(1.0), step(0.0, before * after), float(waterMediumIsSorted));
+  // edges of samples go to and fro: between two others a pixel has no slope
+  slope *= mix(vec2(1.0), step(0.0, before * after), waterSceneSide > 1 ? 1.0 : 0.0);
   float edge = WATER_MEDIUM_BENT * (abs(slope.x) + abs(slope.y)) + 1e-7;
   vec2 isBefore = step(edge, abs(before - slope));
   vec2 isAfter = step(edge, abs(after - slope));
@@ -286,7 +285,6 @@ vec2 waterMediumUnmixed(vec2 uv, float depth)
     isEdge = isEdge || any(greaterThan(abs(second - depth - 2.0 * first * slope), vec2(2.0 * edge)));
     middle += sign(away) / size;
   }
-  waterMediumIsEdge = waterMediumIsEdge || isEdge;
   return isEdge ? middle : uv;
 }
 
@@ -294,10 +292,3 @@ vec3 waterMediumColor(vec2 uv, float depth)
 {
   return textureLod(waterSceneColor, waterMediumUnmixed(uv, depth), 0.0).rgb;
 }
-
-// Mixes what is seen at a place with what else is in its pixel, both through the water; of the slot others.
-//
-// others  1: there may be others; 2: the same, and the bed goes on instead of the background
-// begun   how far the ray has come in the picture, pixels
-// dir     of the ray, in the plane's axes
-vec3 waterMediumWithOther(vec2 uv, float depth, int others, float begun, vec3 seen, vec3 dir, float caustic);

@@ -27,8 +27,8 @@ uniform vec3 waterSunDir;          // towards it, in the plane's axes
 uniform vec3 waterSlopeVariance;   // xx, yy, xy of the slopes too small for waves
 uniform vec4 waterSkyBottom;       // of the background; a: 1 when the sky is known in all directions
 
-uniform int waterSceneIsSorted;    // 1: a multisampled picture's samples are sorted, each pixel's into those of two things:
-uniform sampler2D waterSceneOtherPlace; // depth of the one with fewer; from the middle to where the surface is seen, pixels
+uniform int waterSceneHasSamples; // 1: the picture is multisampled, and its samples are told apart
+uniform sampler2D waterSceneSeen; // then from the pixel's middle to where the surface is seen, pixels
 
 #include "vtkWaterDataColor.glsl"
 
@@ -67,9 +67,9 @@ struct WaterPlaces
 vec2 waterSeenShift()
 {
   vec2 shift = vec2(0.0);
-  for (int i = 0; i < waterSceneIsSorted; ++i)
+  for (int i = 0; i < waterSceneHasSamples; ++i)
   {
-    shift = texelFetch(waterSceneOtherPlace, ivec2(gl_FragCoord.xy - waterViewport.xy), 0).gb;
+    shift = texelFetch(waterSceneSeen, ivec2(gl_FragCoord.xy - waterViewport.xy), 0).rg;
   }
   return shift;
 }

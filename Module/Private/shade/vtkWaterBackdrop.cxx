@@ -7,6 +7,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterRankPixels.h"
 #include "vtkWaterRanks.h"
+#include "water_samples.h"
 
 #include <algorithm>
 #include <new>
@@ -17,7 +18,7 @@ namespace
 using Source = vtkWaterBoundPicture;
 
 // Are there several samples a pixel, in textures? Then these are in the picture.
-bool FindSamples(const Source& source, vtkWaterSampleSort::Picture& picture)
+bool FindSamples(const Source& source, vtkWaterSampleSpread::Picture& picture)
 {
   if (source.Samples == 0 || !source.HasTextures())
   {
@@ -29,7 +30,7 @@ bool FindSamples(const Source& source, vtkWaterSampleSort::Picture& picture)
   return true;
 }
 
-bool SetPart(const int rect[4], const int part[4], vtkWaterSampleSort::Picture& picture)
+bool SetPart(const int rect[4], const int part[4], vtkWaterSampleSpread::Picture& picture)
 {
   std::copy_n(rect, 4, picture.Rect);
   std::copy_n(part, 4, picture.Part);
@@ -98,23 +99,26 @@ bool vtkWaterBackdrop::Ensure(vtkOpenGLRenderWindow* window, int width, int heig
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterBackdrop::Sort(
+bool vtkWaterBackdrop::Spread(
   vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip)
 {
   const Source source;
-  vtkWaterSampleSort::Picture picture;
-  this->IsSorted = heightClip && FindSamples(source, picture) &&
-    this->Ensure(window, rect[2], rect[3]) && SetPart(rect, part, picture) &&
-    this->Sorted.Draw(window, picture, heightClip, this->Color, this->Depth);
-  this->IsMixed = source.Samples > 0 && !this->IsSorted;
-  return this->IsSorted;
+  vtkWaterSampleSpread::Picture picture;
+  const int side =
+    water_samples_side(source.Samples, rect + 2, vtkTextureObject::GetMaximumTextureSize(window));
+  this->IsSpread = heightClip && FindSamples(source, picture) &&
+    this->Ensure(window, side * rect[2], side * rect[3]) && SetPart(rect, part, picture) &&
+    this->Samples.Draw(window, picture, heightClip, side, this->Color, this->Depth);
+  this->Side = this->IsSpread ? side : 1;
+  this->IsMixed = source.Samples > 0 && !this->IsSpread;
+  return this->IsSpread;
 }
 
 //------------------------------------------------------------------------------
 bool vtkWaterBackdrop::Copy(
   vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip)
 {
-  if (this->Sort(window, rect, part, heightClip))
+  if (this->Spread(window, rect, part, heightClip))
   {
     return true;
   }
@@ -160,7 +164,7 @@ bool vtkWaterBackdrop::Copy(
 //------------------------------------------------------------------------------
 int vtkWaterBackdrop::CountSamples()
 {
-  vtkWaterSampleSort::Picture picture;
+  vtkWaterSampleSpread::Picture picture;
   const bool areSent = FindSamples(Source(), picture) && picture.Samples <= WATER_RANK_SAMPLES_MAX;
   return areSent ? picture.Samples : 0;
 }
@@ -170,14 +174,14 @@ bool vtkWaterBackdrop::EnsureSamples(
   vtkOpenGLRenderWindow* window, int width, int height, int samples)
 {
   const int size[4] = { width, height, samples, Source().GetColorType() };
-  if (this->Samples && this->Samples->GetContext() == window &&
-    std::equal(size, size + 4, this->SamplesSize))
+  if (this->Joined && this->Joined->GetContext() == window &&
+    std::equal(size, size + 4, this->JoinedSize))
   {
     return true;
   }
-  this->Samples = vtkWaterRankSamples::MakeFramebuffer(window, width, height, size[3], samples);
-  std::copy_n(size, 4, this->SamplesSize);
-  return this->Samples != nullptr;
+  this->Joined = vtkWaterRankSamples::MakeFramebuffer(window, width, height, size[3], samples);
+  std::copy_n(size, 4, this->JoinedSize);
+  return this->Joined != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -188,12 +192,8 @@ bool vtkWaterBackdrop::CopyOfAll(vtkWaterRanks& ranks, vtkOpenGLRenderWindow* wi
   {
     return this->Join(ranks, window, part, this->Copy(window, rect, part, nullptr));
   }
-  // sorting looks at the pixels around, too
-  const int from[2] = { std::max(part[0] - 1, 0), std::max(part[1] - 1, 0) };
-  const int wide[4] = { from[0], from[1], std::min(part[0] + part[2] + 1, rect[2]) - from[0],
-    std::min(part[1] + part[3] + 1, rect[3]) - from[1] };
   const bool isEmpty = part[2] <= 0 || part[3] <= 0; // on all ranks
-  vtkWaterSampleSort::Picture found;
+  vtkWaterSampleSpread::Picture found;
   vtkWaterRankPixels pixels;
   bool isRead = false;
   try
@@ -204,7 +204,7 @@ bool vtkWaterBackdrop::CopyOfAll(vtkWaterRanks& ranks, vtkOpenGLRenderWindow* wi
       (FindSamples(source, found) && this->EnsureSamples(window, rect[2], rect[3], samples) &&
         this->RankSamples.Read(window,
           { found.Color, found.Depth, samples,
-            { rect[0] + wide[0], rect[1] + wide[1], wide[2], wide[3] } },
+            { rect[0] + part[0], rect[1] + part[1], part[2], part[3] } },
           type, pixels));
   }
   catch (const std::bad_alloc&)
@@ -218,14 +218,14 @@ bool vtkWaterBackdrop::CopyOfAll(vtkWaterRanks& ranks, vtkOpenGLRenderWindow* wi
     return claims[0] != 0;
   }
   if (!pixels.KeepNearest(ranks) ||
-    !this->RankSamples.Write(window, pixels, samples, wide, this->Samples))
+    !this->RankSamples.Write(window, pixels, samples, part, this->Joined))
   {
     return false;
   }
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
-  this->Samples->Bind();
-  this->Samples->ActivateDrawBuffer(0);
+  this->Joined->Bind();
+  this->Joined->ActivateDrawBuffer(0);
   const int whole[4] = { 0, 0, rect[2], rect[3] };
   const bool isCopied = this->Copy(window, whole, part, heightClip);
   state->PopFramebufferBindings();
@@ -288,17 +288,17 @@ void vtkWaterBackdrop::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->ReleaseCopies(window);
   this->RankSamples.ReleaseGraphicsResources(window);
-  if (this->Samples && window)
+  if (this->Joined && window)
   {
-    this->Samples->ReleaseGraphicsResources(window);
+    this->Joined->ReleaseGraphicsResources(window);
   }
-  this->Samples = nullptr;
+  this->Joined = nullptr;
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterBackdrop::ReleaseCopies(vtkWindow* window)
 {
-  this->Sorted.ReleaseGraphicsResources(window);
+  this->Samples.ReleaseGraphicsResources(window);
   if (this->Framebuffer && window)
   {
     this->Framebuffer->ReleaseGraphicsResources(window);

@@ -8,7 +8,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h" // for members
 #include "vtkWaterRankSamples.h"
-#include "vtkWaterSampleSort.h"
+#include "vtkWaterSampleSpread.h"
 
 class vtkOpenGLRenderWindow;
 class vtkWaterRankPixels;
@@ -19,13 +19,13 @@ class vtkWaterBackdrop
 {
 public:
   // Copies what the bound framebuffer has in a rectangle (x, y, width, height in pixels). The
-  // samples of a pixel are sorted, or else averaged, as far as the GPU can.
+  // samples of a pixel are spread over several, or else averaged, as far as the GPU can.
   //
   // Returns false when the GPU refuses; there is then no backdrop.
   //
   // rect        of the picture
   // part        of that, from its corner, that is looked at; the rest is what it was
-  // heightClip  as in vtkWaterSampleSort.h; nullptr: samples are averaged
+  // heightClip  as in vtkWaterSampleSpread.h; nullptr: samples are averaged
   bool Copy(
     vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
 
@@ -42,7 +42,7 @@ public:
     const int part[4], int samples, const double* heightClip);
 
   // What was copied is of another frame.
-  void Forget() { this->IsSorted = this->IsMixed = false; }
+  void Forget() { this->IsSpread = this->IsMixed = false; }
 
   // Did the GPU give no memory for it, when last asked?
   bool GetHasFailed() const { return this->HasFailed; }
@@ -50,8 +50,11 @@ public:
   // Are its colours means of several samples?
   bool GetIsMixed() const { return this->IsMixed; }
 
-  // The other things of pixels with samples of two; nullptr: there are none.
-  vtkWaterSampleSort* GetSorted() { return this->IsSorted ? &this->Sorted : nullptr; }
+  // Its samples; nullptr: there is one a pixel.
+  vtkWaterSampleSpread* GetSpread() { return this->IsSpread ? &this->Samples : nullptr; }
+
+  // So many of its pixels lie along each side of one of the picture's.
+  int GetSide() const { return this->IsSpread ? this->Side : 1; }
 
   vtkTextureObject* GetColor() { return this->Color; }
   vtkTextureObject* GetDepth() { return this->Depth; }
@@ -59,8 +62,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  // Sorts the samples. false: nothing is done, as there is one a pixel, or the GPU cannot.
-  bool Sort(
+  // Spreads the samples. false: nothing is done, as there is one a pixel, or the GPU cannot.
+  bool Spread(
     vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
   bool Ensure(vtkOpenGLRenderWindow* window, int width, int height);
   void ReleaseCopies(vtkWindow* window); // not the samples that are copied from
@@ -75,11 +78,12 @@ private:
   int Height = 0;
   int ColorType = 0; // VTK's, as the picture's
   int DepthFormat = 0;
-  vtkSmartPointer<vtkOpenGLFramebufferObject> Samples; // of all ranks, when they have several
-  int SamplesSize[4] = {};                             // width, height, number, type
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Joined; // of all ranks, when they have several
+  int JoinedSize[4] = {};                             // width, height, number, type
   vtkWaterRankSamples RankSamples;
-  vtkWaterSampleSort Sorted;
-  bool IsSorted = false;
+  vtkWaterSampleSpread Samples;
+  int Side = 1;
+  bool IsSpread = false;
   bool IsMixed = false;
   bool HasFailed = false;
 };

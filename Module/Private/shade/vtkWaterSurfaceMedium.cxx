@@ -82,10 +82,9 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   {
     std::copy_n(own.PictureScale, 2, this->PictureScale);
   }
-  if (vtkWaterSampleSort* sorted = this->Backdrop.GetSorted())
+  if (vtkWaterSampleSpread* samples = this->Backdrop.GetSpread())
   {
-    this->Use("waterSceneOther", sorted->GetOther());
-    this->Use("waterSceneOtherPlace", sorted->GetOtherPlace());
+    this->Use("waterSceneSeen", samples->GetSeen());
   }
 }
 

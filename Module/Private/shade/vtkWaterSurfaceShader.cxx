@@ -271,7 +271,7 @@ void vtkWaterSurfaceShader::BeginReflection(const int viewport_px[4])
 {
   const Inputs& drawn = this->Drawn;
   // where pixel meets texel, one texel is the same as four
-  const bool isAligned = this->IsFlat && !this->Backdrop.GetSorted() &&
+  const bool isAligned = this->IsFlat && !this->Backdrop.GetSpread() &&
     !this->Has(WATER_FEATURE_WAVES | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET) &&
     std::equal(viewport_px + 2, viewport_px + 4, this->Plan.texture_px);
   const int blurred = this->Has(WATER_FEATURE_ROUGH) ? vtkTextureObject::LinearMipmapLinear

@@ -149,12 +149,11 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterRestSteps",
     water_waves_rest_steps(program->IsUniformUsed("waterAxesToClip"), this->IsSteep));
   uniforms::Set(program, "waterFootprint", look.RayTraceFootprint);
-  const bool isSorted = this->Backdrop.GetSorted() != nullptr;
-  uniforms::Set(program, "waterSceneIsSorted", isSorted ? 1 : 0);
-  if (!isSorted)
+  const bool isSpread = this->Backdrop.GetSpread() != nullptr;
+  uniforms::Set(program, "waterSceneHasSamples", isSpread ? 1 : 0);
+  if (!isSpread)
   {
-    this->SetNoTexture(program, "waterSceneOther");
-    this->SetNoTexture(program, "waterSceneOtherPlace");
+    this->SetNoTexture(program, "waterSceneSeen");
   }
   double sheet[4] = { -kFarUp, kFarUp, -kFarUp, kFarUp };
   for (int i = 0; i < 4 && this->Water->HasBorder; ++i)
@@ -198,7 +197,7 @@ void vtkWaterSurfaceShader::SetMediumParameters(vtkShaderProgram* program)
   const bool isOwn = this->HasOwnView(); // it has one sample a pixel
   uniforms::Set(program, "waterSceneIsOwnView", isOwn ? 1 : 0);
   uniforms::Set(program, "waterSceneIsMixed", !isOwn && this->Backdrop.GetIsMixed() ? 1 : 0);
-  uniforms::Set(program, "waterMediumIsSorted", !isOwn && this->Backdrop.GetSorted() ? 1 : 0);
+  uniforms::Set(program, "waterSceneSide", isOwn ? 1 : this->Backdrop.GetSide());
 }
 
 //------------------------------------------------------------------------------
