@@ -22,7 +22,9 @@ from vtkwater import vtkWaterActor, vtkWaterClearSkySource
 from vtkwater.errors import ending
 from vtkwater.pictures import png_name, write_png
 
-SUN = (258.0, 16.0)  # azimuth and elevation, degrees
+SUN = (338.0, 8.0)  # azimuth and elevation, degrees: low, in the picture, so that the sea glitters
+EXPOSURE = 0.02  # of the sky: a picture taken towards the sun is exposed for it
+SUN_INTENSITY = 0.4  # the same of the sun's light
 WIND = 14.0  # m/s
 WIND_DIRECTION = 250.0  # degrees: the direction in which it blows
 HUB = 92.0  # m above the sea
@@ -169,6 +171,7 @@ def main():
     sky.SetAzimuth(SUN[0])
     sky.SetElevation(SUN[1])
     sky.SetTurbidity(2.0)
+    sky.SetExposure(EXPOSURE)
     skybox = vtkSkybox()
     sky.ConfigureSkybox(skybox, renderer)
     renderer.SetBackground(sky.GetMeanColor())
@@ -176,6 +179,7 @@ def main():
     sun.SetLightTypeToSceneLight()
     sun.SetPosition(sky.GetSunDirection())
     sun.SetColor(sky.GetSunColor())
+    sun.SetIntensity(SUN_INTENSITY)
     renderer.AddLight(sun)
     renderer.AddActor(skybox)
     renderer.AddActor(make_water(arguments.time))

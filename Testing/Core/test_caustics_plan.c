@@ -198,8 +198,76 @@ TEST(bed_at_the_surface_has_no_caustics)
   assert_false(water_caustics_plan(&plan, &none.input, &made));
 }
 
+// Where an eye sees the bed of a depth along a straight ray of a pixel, in texels of the light.
+static void straight_texel(const lens* eye, const water_caustics* made, const double ndc[2],
+  double depth, const double way[2], double texel[2])
+{
+  double place[3] = { 0.0, 0.0, 1.0 };
+  straight_place(eye, ndc, depth, place);
+  for (int i = 0; i < 2; ++i)
+  {
+    place[i] -= depth * way[i];
+  }
+  const double w = dot(made->place_to_light + 6, place);
+  assert_true(w > 0.0);
+  texel[0] = dot(made->place_to_light, place) / w;
+  texel[1] = dot(made->place_to_light + 3, place) / w;
+}
+
+// A dome port that reaches into the water shows the bed along straight rays, however close the eye
+// is to the surface: light is followed as deep as without an eye, and the texture has what lights
+// beds of eight radii, of ten and of forty.
+TEST(port_sees_the_bed_along_straight_rays)
+{
+  static const bath split = { { 1, 2, 0.05 }, { 1, 12, -2 }, { 0, 0, 1 }, { 0.8, 0.6 }, false, 13.0,
+    { 50, 100 }, { 1.333, 0.05, 0.05, { 400, 300 }, 16384, true, 0.3 } };
+  const lens eye = lens_of(&split);
+  const answer known = answer_for(&eye);
+  const water_caustics made = made_for(&split);
+  ASSERT_CLOSE(made.depth, 13.0, 0.0);
+  ASSERT_CLOSE(made.middle, 3.0, 1e-12);
+  ASSERT_CLOSE(made.search[0], 3.0, 1e-12);
+  ASSERT_CLOSE(made.search[1], 3.0, 1e-12);
+  static const double depths[3] = { 2.4, 3.0, 12.0 };
+  for (int i = 0; i < 27; ++i)
+  {
+    const double ndc[2] = { i % 3 - 1, -0.4 * (i / 3 % 3) - 0.2 };
+    double texel[2];
+    straight_texel(&eye, &made, ndc, depths[i / 9], known.way, texel);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      assert_true(texel[axis] >= -1e-6 && texel[axis] <= made.texture_px[axis] + 1e-6);
+      if (depths[i / 9] == 3.0) // the middle is seen where it is
+      {
+        ASSERT_CLOSE(
+          texel[axis], made.texel_of_ndc[axis] * ndc[axis] + made.texel_of_ndc[2 + axis], 1e-6);
+      }
+    }
+  }
+  // up to pixels of three depths, which are twice as far as without a port, where light is followed
+  // to four heights of the eye
+  const double low[3] = { -1.0, -1.0, 1.0 };
+  ASSERT_CLOSE(dot(made.near, low), fall_at(&eye, low) / (2.0 * known.near_fall), 1e-9);
+}
+
+// A port that does not reach into the water changes nothing.
+TEST(port_over_the_water_is_none)
+{
+  for (int i = 0; i < BATHS; ++i)
+  {
+    bath over = baths[i];
+    over.input.port_radius = 0.99 * over.eye[2];
+    const water_caustics expected = made_for(&baths[i]);
+    const water_caustics made = made_for(&over);
+    assert_memory_equal(&made, &expected, sizeof made);
+    ASSERT_CLOSE(made.search[0], made.depth, 0.0);
+    ASSERT_CLOSE(made.search[1], 0.0, 0.0);
+  }
+}
+
 TESTS(depths_are_those_of_light_that_comes_back, texture_lies_where_traced_rays_come_from,
   bed_has_the_shape_of_the_picture, grid_lies_where_light_enters,
   points_are_as_dense_as_the_sun_is_sharp, pixels_are_near_up_to_three_depths,
   heights_rise_in_the_picture, map_to_the_plane_may_have_any_scale,
-  bed_at_the_surface_has_no_caustics)
+  bed_at_the_surface_has_no_caustics, port_sees_the_bed_along_straight_rays,
+  port_over_the_water_is_none)

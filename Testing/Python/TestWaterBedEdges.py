@@ -231,6 +231,30 @@ def test_behind_an_object_the_bed_goes_on(is_software, monkeypatch):
     wt.check_at_most("% of them that differ by more than 20 of 255", 100 * float((off > 20).mean()), 5)
 
 
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_no_comb_stands_behind_an_object(is_software, monkeypatch):
+    """Where an object hides the bed, rows of pixels show the same edge of the object's outline: no row differs from both of
+    its neighbours."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    view = wt.View(SIZE, WHITE)
+    for column in range(-12, 12):
+        for row in range(-12, 12):
+            shade = (0.9, 0.9, 0.8) if (column + row) % 2 else (0.3, 0.3, 0.3)
+            tile = wt.add_actor(view.renderer, wt.box((2 * column + 1, 2 * row + 1, -2.05), (2, 2, 0.1)), shade)
+            tile.GetProperty().LightingOff()
+    post = wt.add_actor(view.renderer, wt.box((0.3, 0, 0), (1.8, 1.8, 4.2)), (0.9, 0.0, 0.0))
+    post.GetProperty().LightingOff()
+    clear_water(view, (-24, 24, -24, 24))
+    camera = wt.place_camera(view.renderer, (2.5, -18, 9), (0.5, 1.5, 0.8), (0.5, 90))
+    camera.SetViewAngle(24)
+    picture = view.picture()
+    wt.save(picture, wt.output_folder() / f"comb_{is_software}.png")
+    rows, columns = np.nonzero((picture[:, :, 0] > 200) & (picture[:, :, 1] < 60))
+    over = picture[rows.max() + 1:rows.max() + 16, columns.min():columns.max() + 1, 1]
+    is_tooth = np.minimum(abs(over[1:-1] - over[2:]), abs(over[1:-1] - over[:-2])) > 10
+    wt.check_equal("pixels behind the post that differ from what is over and under them", int(is_tooth.sum()), 0)
+
+
 def pool_with(is_empty, eye):
     """A view of a pool of 12 m x 6 m whose walls are darker than its floor, with a post near one end or without."""
     view = wt.View((320, 240), WHITE)

@@ -24,6 +24,22 @@ def test_light_is_that_of_photons(depth, sun):
     wt.check_at_most(f"{name}: error over the mean", rmse, 0.10)
 
 
+@pytest.mark.parametrize("hardware", (False, True), ids=("software", "hardware"))
+@pytest.mark.parametrize("depth, sun", ((1.0, 50.0), (3.0, 50.0), (3.0, 25.0)))
+def test_an_eye_behind_a_dome_port_sees_the_light_of_photons(depth, sun, hardware, monkeypatch):
+    """An eye close over the water that sees the bed through its dome port sees the same light as others."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "0" if hardware else "1")
+    scene = truth.Scene(WAVES, depth, sun, size=(160, 120), width=2.5 * depth, eye=35.0, port=0.3)
+    view, look = truth.view_of(scene)
+    light = truth.shown(view, look)
+    expected = truth.truth(scene, view, PHOTONS)
+    mean, rmse = truth.errors(light, expected)
+    name = f"through a port, bed at {depth:g} m, sun at {sun:g} degrees"
+    wt.check_at_least(f"{name}: contrast of the truth", float(expected.std()), 0.03)
+    wt.check_at_most(f"{name}: error of the mean light", abs(mean), 0.02)
+    wt.check_at_most(f"{name}: error over the mean", rmse, 0.10)
+
+
 @pytest.mark.parametrize("eye", (90.0, 45.0, 20.0))
 def test_calm_light_is_even(eye):
     """Waves without a height gather no light, up to the picture's borders and to the horizon."""

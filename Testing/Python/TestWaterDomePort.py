@@ -91,6 +91,25 @@ def test_half_above_and_half_under_water(is_endless, hardware, monkeypatch):
     wt.check_at_least("share of them that differ without a port", float((bent > 2).mean()), 0.9)
 
 
+@pytest.mark.parametrize("hardware", [False, True])
+def test_waterline_on_the_glass_shows_what_is_beside_it(hardware, monkeypatch):
+    """A pixel on the waterline shows what is seen over it and under it, mixed, and no place of the bed between both."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "0" if hardware else "1")
+    pictures = []
+    for radius in (RADIUS, 0.0, 1.5 * RADIUS):
+        scene = Scene(radius=radius)
+        scene.look.SetAbsorption(0, 0, 0)  # the way in the glass counts for nothing
+        wt.add_actor(scene.view.renderer, wt.box((0, 9, -BED), (100, 6, 0.02)), (1, 1, 1), lit=False)
+        pictures.append(scene.view.picture())
+    shown, over, under = pictures
+    line = ~under_water(shown)[1] & (way_to_surface() < 1.2 * RADIUS) & (way_to_surface() > 0.8 * RADIUS)
+    line &= np.abs(rays()[:, :, 0] * (5.5 / rays()[:, :, 1]) - 0.5) > 1.0  # beside the box
+    least, most = np.minimum(over, under), np.maximum(over, under)
+    off = np.maximum(least - shown, shown - most).max(axis=2)[line]
+    wt.check_at_least("pixels on the waterline", int(line.sum()), 100)
+    wt.check_equal("pixels on the waterline that show something else", int((off > 2).sum()), 0)
+
+
 def test_box_is_where_it_is():
     """The foot of a box under water is seen where it is; without a port refraction lifts it."""
     shown, plain = Scene().view.picture(), Scene(radius=0.0).view.picture()

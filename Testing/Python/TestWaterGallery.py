@@ -84,7 +84,8 @@ def test_a_slow_example_is_found():
 
 
 def test_burnt_glitter_is_found(tmp_path):
-    """Glitter that no longer rolls off is clipped, and so is counted; white water without it is not glitter."""
+    """Glitter that no longer rolls off is clipped, and so is counted; white water without it is not glitter. Light that the
+    roll-off takes is counted, too: here more than of any picture."""
     view = wt.View(SIZE, (0, 0, 0))
     wt.add_scene_light(view.renderer, (0.3, 0.6, 0.55))
     view.renderer.GetLights().GetItemAsObject(0).SetIntensity(1.5)
@@ -94,14 +95,17 @@ def test_burnt_glitter_is_found(tmp_path):
     for rolls, glitters in ((True, True), (False, True), (False, False)):
         look.SetHighlightRollOff(rolls)
         look.SetGlitter(glitters)
-        water, _, burnt = clipped.measure(view.window, vtkWindowToImageFilter)
+        water, _, burnt, kept = clipped.measure(view.window, vtkWindowToImageFilter)
         name = f"rolls off: {rolls}, glitter: {glitters}"
-        wt.check_equal(f"{name}: settings as before", (look.GetGlitter(), look.GetOutput()), (glitters, look.COLOR))
+        wt.check_equal(f"{name}: settings as before", (look.GetGlitter(), look.GetOutput(), look.GetHighlightRollOff()), (glitters, look.COLOR, rolls))
+        wt.check_equal(f"{name}: too little light is kept", kept < clipped.LEAST_KEPT, rolls and glitters)
         if glitters:
             wt.check_at_least(f"{name}: pixels of water", water, 1000)
         measured = tmp_path / "clipped.txt"
-        measured.write_text(f"{water} {burnt} {burnt} 0.5")
+        measured.write_text(f"{water} {burnt} {burnt} 95.0 0.5")
         wt.check_equal(f"{name}: is too much", clipped.share(name, measured)[0] > clipped.LIMIT, not rolls and glitters)
+    measured.write_text("1000 0 0 94.9 0.5")
+    wt.check_equal("too little light kept", clipped.share("dark", measured), (100.0, 0.5))
     wt.check_equal("nothing measured", clipped.share("none", tmp_path / "none.txt"), (100.0, 0.0))
 
 

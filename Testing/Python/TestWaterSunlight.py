@@ -8,6 +8,7 @@ import ray_caster
 import water_test as wt
 from dark_water import SIZE, add_dark_water, check_refused, look_at, pixel_rays
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPass
+from vtkwater import vtkWaterActor
 
 INDEX = 1.333
 SUN = np.array((0.3, 0.6, 0.55))
@@ -86,6 +87,33 @@ def test_glitter_can_be_switched_off():
     view.picture()
     look.GlitterOff()
     wt.check_equal("glitter off: brightest pixel", int(view.picture().max()), 0)
+
+
+def test_without_a_light_foam_shows_the_sky_alone():
+    """Without a light there are no caustics and no shadows, foam has 0.35 of its colour, and nothing is an error."""
+    pictures = {}
+    for name, settings in (("plain", {}), ("caustics", {"Caustics": 1.0}), ("shadows", {"Shadows": True}),
+                           ("foam", {"FoamDepth": 40.0})):
+        view = wt.View((120, 90), (0.5, 0.6, 0.7))
+        view.renderer.AutomaticLightCreationOff()
+        wt.add_actor(view.renderer, wt.box((0, 0, -1.05), (60, 60, 0.1)), (0.6, 0.5, 0.4), lit=False)
+        water = vtkWaterActor()
+        water.SetSheetBounds(-25, 25, -25, 25)
+        look = water.GetWaterProperty()
+        look.RefractionOn()
+        look.AddWave(0.03, 2.0, 20.0)
+        for setting, value in settings.items():
+            getattr(look, f"Set{setting}")(value)
+        errors = wt.errors_of(water)
+        view.renderer.AddActor(water)
+        wt.place_camera(view.renderer, (0, -6, 6), (0, 0, 0), (0.5, 90))
+        pictures[name] = view.picture()
+        wt.check_equal(f"{name}: errors", errors, [])
+    for name in ("caustics", "shadows"):
+        wt.check_equal(f"{name}: pixels that change", int((pictures[name] != pictures["plain"]).any(axis=2).sum()), 0)
+    foam = np.array(look.GetFoamColor()) * 0.35 * 255
+    is_foam = np.abs(pictures["foam"] - foam).max(axis=2) <= 2
+    wt.check_at_least("pixels of foam", int(is_foam.sum()), 100)
 
 
 def test_headlight_is_no_sun():

@@ -29,6 +29,7 @@ class Scene:
     size: tuple = (240, 180)
     width: float = 4.0  # of the surface that is seen, m
     eye: float = 90.0  # degrees over the horizon
+    port: float = 0.0  # radius of a dome port, which the eye, a sixth of that over the water, sees all of the picture through
 
     def sun_direction(self):
         high, turn = np.radians(self.sun), np.radians(25.0)
@@ -114,6 +115,8 @@ def view_of(scene, time=0.0):
         look.AddWave(*wave)
     view.renderer.AddActor(water)
     high = np.radians(scene.eye)
+    if scene.port > 0.0:
+        look.SetDomePortRadius(scene.port)
     distance = 0.5 * scene.width / np.tan(np.radians(15)) * scene.size[1] / scene.size[0]
     camera = view.renderer.GetActiveCamera()
     camera.SetPosition(0, -distance * np.cos(high), distance * np.sin(high))
@@ -121,6 +124,10 @@ def view_of(scene, time=0.0):
     camera.SetViewUp((0, 1, 0) if scene.eye > 80 else (0, 0, 1))
     camera.SetViewAngle(30)
     camera.SetClippingRange(0.1, 500)
+    if scene.port > 0.0:
+        camera.SetPosition(0, 0, scene.port / 6)
+        camera.SetFocalPoint(0, np.cos(high), scene.port / 6 - np.sin(high))
+        camera.SetClippingRange(0.01, 500)
     return view, look
 
 
@@ -146,8 +153,11 @@ def seen_places(scene, view, samples):
     u = ((np.arange(columns)[:, None] + part).ravel() / columns * 2 - 1) * half * columns / rows
     v = ((np.arange(rows)[:, None] + part).ravel() / rows * 2 - 1) * half
     rays = (forward + u[None, :, None] * right + v[:, None, None] * up).reshape(-1, 3)
-    place = eye[:2] - eye[2] / rays[:, 2:] * rays[:, :2]
-    place += lands(refracted(rays, *slopes(scene.waves, place[:, 0], place[:, 1])), scene.depth)
+    if scene.port > 0.0:  # straight on
+        place = eye[:2] + lands(rays, eye[2] + scene.depth)
+    else:
+        place = eye[:2] + lands(rays, eye[2])
+        place += lands(refracted(rays, *slopes(scene.waves, place[:, 0], place[:, 1])), scene.depth)
     return place.reshape(rows, samples, columns, samples, 2).swapaxes(1, 2).reshape(rows, columns, -1, 2)
 
 

@@ -4,9 +4,10 @@
 usage: clipped.py [PICTURE...]    default: all of them
 
 A pixel is the water's if it changes when the waters show their confidence, which is nearly black. It is clipped if
-all channels are 255; "glitter" leaves out those that are white without the sun's glitter, too. Ends with 1 if more than
-1 % of the water's pixels are glitter that is clipped. Run it with a Python that has vtkwater. gallery.py --check, which
-the tests ExampleGallery_NAME run, asks the same of each picture that it makes.
+all channels are 255; "glitter" leaves out those that are white without the sun's glitter, too. "Kept" is the light of
+the water's pixels, the sum of their values, over what it is without the roll-off of highlights. Ends with 1 if more than
+1 % of the water's pixels are glitter that is clipped, or less than 95 % of the light is kept. Run it with a Python that
+has vtkwater. gallery.py --check, which the tests ExampleGallery_NAME run, asks the same of each picture that it makes.
 """
 import contextlib
 import os
@@ -18,6 +19,7 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 LIMIT = 1.0  # % of the water's pixels
+LEAST_KEPT = 95.0  # % of the water's light
 # what sitecustomize does in each example's Python: it watches where pictures are taken from
 HOOK = f"import sys; sys.path.insert(0, {str(HERE)!r}); import clipped; clipped.watch()"
 
@@ -34,7 +36,7 @@ def waters_of(window):
 
 
 def measure(window, grabber, shown=None):
-    """Numbers of a window's picture: water's pixels, those that are clipped, and those clipped by glitter.
+    """Numbers of a window's picture: water's pixels, those that are clipped, those clipped by glitter; % of the light kept.
 
     shown: the picture, if it has just been taken, as a vtkImageData
     """
@@ -54,19 +56,24 @@ def measure(window, grabber, shown=None):
     looks = [water.GetWaterProperty() for water in waters_of(window)]
     if not looks:
         return None
-    states = [(look.GetOutput(), look.GetGlitter()) for look in looks]
+    states = [(look.GetOutput(), look.GetGlitter(), look.GetHighlightRollOff()) for look in looks]
     plain = picture() if shown is None else pixels_of(shown)
     for look in looks:
         look.SetOutputToConfidence()
     is_water = (plain != picture()).any(axis=1)
-    for look, (output, _) in zip(looks, states):
+    for look, (output, _, _) in zip(looks, states):
         look.SetOutput(output)
+        look.HighlightRollOffOff()
+    light = picture()[is_water].sum() if any(rolls for _, _, rolls in states) else 0
+    kept = 100 * plain[is_water].sum() / light if light else 100.0
+    for look in looks:
         look.GlitterOff()
     is_white = is_water & (plain >= 255).all(axis=1)
     is_glitter = is_white & ~(picture() >= 255).all(axis=1) if is_white.any() else is_white
-    for look, (_, glitter) in zip(looks, states):
+    for look, (_, glitter, rolls) in zip(looks, states):
         look.SetGlitter(glitter)
-    return int(is_water.sum()), int(is_white.sum()), int(is_glitter.sum())
+        look.SetHighlightRollOff(rolls)
+    return int(is_water.sum()), int(is_white.sum()), int(is_glitter.sum()), float(kept)
 
 
 def watch():
@@ -130,16 +137,18 @@ def watching():
 
 def share(name, measured):
     """Print what was measured of a picture. Returns the share of its water that glitter clips, %, and the processor's
-    seconds for that. 100 %: nothing was measured."""
+    seconds for that. 100 %: nothing was measured, or too little of the light is kept."""
     if not measured.exists():
         print(f"{name:18} no picture of a window with water was taken", flush=True)
         return 100.0, 0.0
-    *counts, took = measured.read_text().split()
+    *counts, kept, took = measured.read_text().split()
     count, white, glitter = map(int, counts)
     clipped = 100 * glitter / max(count, 1)
     print(f"{name:18} {count:8} pixels of water, {100 * white / max(count, 1):6.3f} % white, {clipped:6.3f} % by glitter "
           f"(at most {LIMIT:g}) {'ok' if clipped <= LIMIT else 'FAILED'}", flush=True)
-    return clipped, float(took)
+    is_kept = float(kept) >= LEAST_KEPT
+    print(f"{name:18} {float(kept):.2f} % of the light kept (at least {LEAST_KEPT:g}) {'ok' if is_kept else 'FAILED'}", flush=True)
+    return clipped if is_kept else 100.0, float(took)
 
 
 def main():

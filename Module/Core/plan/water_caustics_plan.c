@@ -17,7 +17,9 @@ static const double most_texels = 5.2;    // a pixel of the picture
 static const double sun_share =
   1.5; // largest distance of points, in standard deviations of the sun's disc
 static const double farthest_ndc = 4.0; // of a place
-static const double behind = 1e-12;     // w of such a place
+static const double port_depths =
+  10.0; // radii of a dome port: beds a quarter and four times as deep are still seen sharp
+static const double behind = 1e-12; // w of such a place
 static const double bed_texels =
   64.0; // along the longer side: an object narrower than a seventh of that is part of the bed
 static const int side_steps = 4; // along a side of the picture
@@ -58,8 +60,9 @@ typedef struct view
   const water_plan* plan;
   const water_caustics* made; // as far as it is
   double index;
-  double slopes;  // light and sight are turned by that much at most
-  double least_w; // of ndc_to_plane: from there on pixels see the mean light
+  bool is_straight; // through a dome port: sight is not refracted
+  double slopes;    // light and sight are turned by that much at most
+  double least_w;   // of ndc_to_plane: from there on pixels see the mean light
   eye_rays rays;
 } view;
 
@@ -119,7 +122,8 @@ static void find_clip(const water_plan* plan, const eye_rays* rays, water_causti
 }
 
 // From which NDC on pixels see the mean light: w of ndc_to_plane is less than this.
-static double find_least_w(const water_plan* plan, const eye_rays* rays, double depth)
+static double find_least_w(
+  const water_plan* plan, const eye_rays* rays, double depth, bool is_straight)
 {
   if (!isfinite(rays->height))
   {
@@ -132,7 +136,9 @@ static double find_least_w(const water_plan* plan, const eye_rays* rays, double 
     farthest = fmax(farthest,
       hypot(water_vec3_dot(plan->ndc_to_plane, ndc), water_vec3_dot(plan->ndc_to_plane + 3, ndc)));
   }
-  const double distance = sqrt(wide_depths * depth * rays->height / rays->pixel);
+  // through a port the bed is as many times farther away than the surface as it is deeper
+  const double over = is_straight ? rays->height : depth;
+  const double distance = sqrt(wide_depths * over * rays->height / rays->pixel);
   return farthest / distance;
 }
 
@@ -177,7 +183,14 @@ static void add_seen(
   {
     return;
   }
-  const double moves = hypot(reach, sight_reach(ray, seen)); // they do not depend on each other
+  double sight = sight_reach(ray, seen);
+  if (seen->is_straight)
+  {
+    way[0] = -ray[0] / ray[2];
+    way[1] = -ray[1] / ray[2];
+    sight = 0.0;
+  }
+  const double moves = hypot(reach, sight); // they do not depend on each other
   const double* to_plane = seen->plan->ndc_to_plane;
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -262,12 +275,14 @@ static void find_texture(
 }
 
 // Counts the grid's points: one a texel along each side, fewer where the sun's disc is wide.
-static void find_counts(const water_caustics_input* input, const eye_rays* rays,
+//
+// blurred  depth at which it is that wide
+static void find_counts(const water_caustics_input* input, const eye_rays* rays, double blurred,
   const double box[4], water_caustics* made)
 {
   const double distance = isfinite(rays->height) ? rays->height + made->middle : 1.0;
   const double pixel = distance * rays->pixel;
-  const double blur = made->depth * sqrt(fmin(made->sun_spread[0], made->sun_spread[2]));
+  const double blur = blurred * sqrt(fmin(made->sun_spread[0], made->sun_spread[2]));
   const double apart = fmax(1.0, sun_share * blur / pixel);
   const double density = point_density / (fineness * apart);
   for (int i = 0; i < 2; ++i)
@@ -337,7 +352,11 @@ bool water_caustics_plan(
   const eye_rays* rays = &seen.rays;
   // beyond that the water hides the bed
   made.depth = fmin(plan->bed_depth, -0.5 * log(least_left) / input->extinction);
-  made.depth = fmin(made.depth, deepest_heights * rays->height);
+  seen.is_straight = rays->height < input->port_radius;
+  if (!seen.is_straight)
+  {
+    made.depth = fmin(made.depth, deepest_heights * rays->height);
+  }
   if (!isfinite(made.depth))
   {
     return false;
@@ -351,8 +370,14 @@ bool water_caustics_plan(
   made.middle = isfinite(rays->height)
     ? sqrt(rays->height * (rays->height + made.depth)) - rays->height
     : 0.5 * made.depth;
+  if (seen.is_straight)
+  {
+    made.middle = fmin(port_depths * input->port_radius, made.depth);
+  }
+  made.search[0] = seen.is_straight ? made.middle : made.depth;
+  made.search[1] = seen.is_straight ? made.middle : 0.0;
   seen.slopes = reach_slopes * input->slope_rms;
-  seen.least_w = find_least_w(plan, rays, made.depth);
+  seen.least_w = find_least_w(plan, rays, made.depth, seen.is_straight);
   double light[4];
   double box[4];
   if (!find_box(&seen, 0.0, light) || !find_box(&seen, seen.slopes * widest(made.turn), box))
@@ -360,7 +385,7 @@ bool water_caustics_plan(
     return false;
   }
   find_texture(input, light, &made);
-  find_counts(input, rays, box, &made);
+  find_counts(input, rays, seen.is_straight ? made.middle : made.depth, box, &made);
   made.is_added = input->is_software;
   find_maps(&seen, box, &made);
   *caustics = made;

@@ -31,6 +31,7 @@ typedef struct water_caustics_input
   int viewport_px[2]; // of the eye's picture
   int max_texture_px; // the GPU's limit for a side
   bool is_software;   // no GPU: the CPU adds the light up
+  double port_radius; // of the eye's dome port; 0: it has none
 } water_caustics_input;
 
 // A point of the bed is identified by its place: the point of the plane through which calm water
@@ -48,6 +49,7 @@ typedef struct water_caustics
   double index;             // of the water
   double depth;             // the deepest that light is followed to
   double middle;            // depth
+  double search[2];         // depths: beds are searched from, and read at beyond the picture
   double texel_of_ndc[4];   // NDC of the eye at the middle depth times the first two, plus the
                             // others: texels
   double grid_to_source[9]; // (x, y, 1), in [0, 1] over the grid -> (x, y, w): a place on the plane
@@ -60,7 +62,8 @@ typedef struct water_caustics
   double near[3]; // (x, y, 1) in NDC -> 1 where a pixel is too wide for caustics, 2 where it is not
 } water_caustics;
 
-// Plans the grid and the texture.
+// Plans the grid and the texture. An eye whose dome port reaches into the water sees the bed along
+// straight rays, from as near as the port: the texture lies where these see it.
 //
 // Returns false when there is no light to gather: no sun, an eye that is in the water or under the
 // plane, nothing under the plane, or a camera without places on it. Then the output is unchanged.

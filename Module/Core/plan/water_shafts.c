@@ -35,7 +35,7 @@ bool water_shafts_plan(
   light->index = input->index;
   water_caustics_turn(sun_dir, input->index, light->turn);
   water_caustics_sun_spread(sun_dir, input->index, light->sun_spread);
-  light->depth = light->middle = depth;
+  light->depth = light->middle = light->search[0] = depth;
   light->is_level = true;
   light->is_added = input->is_software;
   light->bed_px[0] = light->bed_px[1] = 1;

@@ -14,6 +14,7 @@ uniform float waterCausticMiddle;     // that depth
 uniform vec3 waterCausticNear;        // (NDC, 1) -> 1: the pixel is too wide for caustics, 2: it is not
 uniform vec2 waterCalmWay;            // horizontal displacement of light in calm water, per depth
 
+const float WATER_CAUSTIC_BEYOND = 0.03; // of the texture's size: so far beyond its border light is that of calm water
 const float WATER_CAUSTIC_BED = 0.8; // what is that share as deep as the bed is of it: the bed is known roughly
 
 // Light on a place under water, over that of calm water.
@@ -29,5 +30,8 @@ float waterCaustic(vec2 ndc, float w, float depth, vec2 pixel)
   vec2 texel = (ndc * w + down.xy) / max(w + down.w, 1e-6) * waterCausticTexel.xy + waterCausticTexel.zw;
   float gathered = clamp(depth / max(WATER_CAUSTIC_BED * bed, 1e-6), 0.0, 1.0);
   float share = waterCaustics * gathered * smoothstep(1.0, 2.0, dot(waterCausticNear, vec3(pixel, 1.0)));
-  return 1.0 + share * (textureLod(waterCausticLight, texel / vec2(textureSize(waterCausticLight, 0)), 0.0).r - 1.0);
+  vec2 uv = texel / vec2(textureSize(waterCausticLight, 0));
+  vec2 beyond = max(abs(uv - 0.5) - 0.5, vec2(0.0));
+  share *= 1.0 - smoothstep(0.0, WATER_CAUSTIC_BEYOND, max(beyond.x, beyond.y));
+  return 1.0 + share * (textureLod(waterCausticLight, uv, 0.0).r - 1.0);
 }

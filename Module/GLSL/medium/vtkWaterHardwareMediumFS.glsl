@@ -122,6 +122,10 @@ WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
     found.isGap = isJump || (there.low == found.low && there.high == found.high);
     found.share = isJump ? 0.0 : found.share;
   }
+  else if (found.low < reach * (1.0 - 1e-6))
+  {
+    waterMediumLastSeen(start, way, found.low + reach / float(steps), WATER_MEDIUM_LAST, found);
+  }
   return found;
 }
 

@@ -30,6 +30,7 @@ const float WATER_MEDIUM_BETWEEN_PX = 3.0; // further away it is something else
 const float WATER_MEDIUM_INSIDE_PX = 1.0; // from the picture's border: beyond it there are no depths
 const float WATER_MEDIUM_BASE_PX = 8.0; // between two depths that tell a slope
 const float WATER_MEDIUM_TOLERANCE = 1.1; // where a slope that goes on is met, in the greatest depth
+const int WATER_MEDIUM_LAST = 5;         // halvings of a step to what hides the rest of a ray
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 
 float waterAir = 0.0; // of a refracted ray, that is not water; of the slot port
@@ -106,6 +107,26 @@ void waterMediumTest(float at, float rayDepth, float depth, inout WaterMediumHit
   found.low = isBehind ? found.low : at;
   found.depthLow = isBehind ? found.depthLow : depth;
   found.isHit = found.isHit || isBehind;
+}
+
+// Moves the last place where a ray is known to be in front on to what hides the rest of it: from row to row, whole steps
+// end at places so far apart that a comb would be seen.
+//
+// next  the first place that is hidden
+// most  halvings
+void waterMediumLastSeen(vec3 start, vec3 way, float next, int most, inout WaterMediumHit found)
+{
+  float overRate = -dot(waterHeightClip.xy, way.xy) / waterHeightClip.z; // of the depth, along the plane
+  for (int i = 0; i < most; ++i)
+  {
+    float middle = 0.5 * (found.low + next);
+    float seen = waterMediumDepth(start.xy + middle * way.xy);
+    bool isSeen = seen >= start.z + middle * overRate && start.z + middle * way.z <= seen &&
+      (seen < 1.0 || found.depthLow >= 1.0);
+    found.low = isSeen ? middle : found.low;
+    found.depthLow = isSeen ? seen : found.depthLow;
+    next = isSeen ? next : middle;
+  }
 }
 
 // Length of a ray to what is seen straight behind the surface, if that goes on as a plane and is seen there. Near the end

@@ -117,6 +117,8 @@ WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
     found.low = before.x; // what is hidden is likelier than nothing
     found.depthLow = before.y;
   }
+  bool isHidden = !found.isHit && found.low < reach - 0.5 * step;
+  waterMediumLastSeen(start, way, found.low + step, isHidden ? WATER_MEDIUM_LAST : 0, found);
   found.isGap = found.isHit && gap.x <= gap.y; // however narrow: between the two is the color of what hides it
   return found;
 }

@@ -6,7 +6,7 @@
 
 in vec2 texCoord;
 uniform sampler2D waterBed;        // vtkWaterBedFS.glsl
-uniform float waterCausticDepth;   // the deepest of that
+uniform vec2 waterPhotonSearch;    // depths: the bed is searched from; the bed under a source is read at
 uniform vec2 waterPhotonStep;      // of the grid, 1 / points
 uniform mat3 waterGridToSource;    // water_caustics
 uniform mat3 waterPlaceToClip;
@@ -69,8 +69,8 @@ void main()
   vec2 within = max(variance.xy - waterEven, vec2(0.0));
 
   // the bed is smooth: where it is to a step is near enough, as only the way aside of the waves depends on it
-  float depth = waterCausticDepth; // from there: a wall towards the sun is before the bed that its water lights
-  float own = waterBedDepthAt(waterBedSeen(waterBedClip(source, 0.0)));
+  float depth = waterPhotonSearch.x; // from there: a wall towards the sun is before the bed that its water lights
+  float own = waterBedDepthAt(waterBedSeen(waterBedClip(source + waterPhotonSearch.y * waterCalmWay, waterPhotonSearch.y)));
   for (int i = 0; i < WATER_PHOTON_STEPS; ++i)
   {
     depth = waterBedWhere(waterBedClip(source + depth * way, depth), own);

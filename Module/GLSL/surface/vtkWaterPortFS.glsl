@@ -6,7 +6,8 @@
 uniform float waterPortRadius;
 
 // Share of a pixel whose ray begins under water; turns the normal there, in which the ray goes straight on. The
-// waterline on the glass is a pixel wide.
+// waterline on the glass is a pixel wide, of which the larger share says where the ray goes: a normal between both would
+// show a place between both.
 float waterThroughPort(inout WaterPoint point)
 {
   // 1 / the way to the surface, which changes evenly over the picture; 0: parallel rays, without an eye
@@ -14,6 +15,6 @@ float waterThroughPort(inout WaterPoint point)
   float within = (near * waterPortRadius - 1.0) / max(fwidth(near * waterPortRadius), 1e-6);
   float share = waterSide > 0.0 ? clamp(0.5 + within, 0.0, 1.0) : 0.0;
   waterAir = share * max(waterPortRadius - 1.0 / max(near, 1e-9), 0.0);
-  point.normal = normalize(mix(point.normal, -point.ray, share));
+  point.normal = share > 0.5 ? -point.ray : point.normal;
   return share;
 }

@@ -202,7 +202,7 @@ bool vtkWaterCaustics::DrawPhotons(
   uniforms::Set2(program, "waterPhotonStep", step);
   uniforms::SetMatrix3(program, "waterPlaceToLight", caustics.place_to_light);
   uniforms::Set(program, "waterBed", this->GetBed());
-  uniforms::Set(program, "waterCausticDepth", caustics.depth);
+  uniforms::Set2(program, "waterPhotonSearch", caustics.search);
   uniforms::SetMatrix3(program, "waterGridToSource", caustics.grid_to_source);
   uniforms::SetMatrix3(program, "waterPlaceToClip", caustics.place_to_clip);
   uniforms::Set3(program, "waterRiseClip", caustics.rise_clip);

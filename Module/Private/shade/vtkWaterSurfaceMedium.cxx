@@ -131,6 +131,7 @@ water_caustics_input vtkWaterSurfaceShader::FindCausticsInput(const int viewport
   std::copy_n(viewport_px + 2, 2, input.viewport_px);
   input.max_texture_px = vtkTextureObject::GetMaximumTextureSize(this->GetWindow());
   input.is_software = !this->Has(WATER_FEATURE_HARDWARE_MEDIUM);
+  input.port_radius = this->Has(WATER_FEATURE_PORT) ? look.DomePortRadius : 0.0;
   return input;
 }
 
