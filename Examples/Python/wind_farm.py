@@ -23,8 +23,8 @@ from vtkwater.errors import ending
 from vtkwater.pictures import png_name, write_png
 
 SUN = (338.0, 8.0)  # azimuth and elevation, degrees: low, in the picture, so that the sea glitters
-EXPOSURE = 0.02  # of the sky: a picture taken towards the sun is exposed for it
-SUN_INTENSITY = 0.4  # the same of the sun's light
+EXPOSURE = 0.013  # of the sky: a picture taken towards the sun is exposed for it
+SUN_INTENSITY = 0.03  # the same of the sun's light
 WIND = 14.0  # m/s
 WIND_DIRECTION = 250.0  # degrees: the direction in which it blows
 HUB = 92.0  # m above the sea
