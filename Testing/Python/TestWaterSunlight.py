@@ -7,6 +7,8 @@ import pytest
 import ray_caster
 import water_test as wt
 from dark_water import SIZE, add_dark_water, check_refused, look_at, pixel_rays
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.vtkCommonCore import VTK_OBJECT
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPass
 from vtkwater import vtkWaterActor
 
@@ -123,6 +125,26 @@ def test_headlight_is_no_sun():
     view.renderer.RemoveAllLights()
     view.renderer.CreateLight()
     wt.check_equal("a headlight is no sun: brightest pixel", int(view.picture().max()), 0)
+
+
+def test_without_a_sun_the_shader_has_no_glitter():
+    """A shader has the code of glitter while a scene light shines, whether it was there at first or comes later."""
+    view, look, _ = glittering(*WINDS[-1])
+    light = view.renderer.GetLights().GetItemAsObject(0)
+    used = []
+
+    @calldata_type(VTK_OBJECT)
+    def ask(mapper, event, program):
+        used.append(program.IsUniformUsed("waterRollsOff"))
+
+    water = next(prop for prop in view.renderer.GetViewProps() if prop.IsA("vtkWaterActor"))
+    water.GetMapper().AddObserver("UpdateShaderEvent", ask)
+    bright = []
+    for is_on in (False, True, False, True):
+        light.SetSwitch(is_on)
+        bright.append(int(view.picture().max()) > 60)
+        wt.check_equal(f"sun {'on' if is_on else 'off'}: the shader has glitter", used[-1], is_on)
+    wt.check_equal("glitter is seen with the sun alone", bright, [False, True, False, True])
 
 
 def test_wind_gives_cox_and_munks_variances():

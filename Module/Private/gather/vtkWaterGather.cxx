@@ -190,6 +190,12 @@ water_camera vtkWaterGather::ReadCamera(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterGather::HasSun(vtkRenderer* renderer)
+{
+  return FindSun(renderer) != nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterGather::ReadView(
   vtkRenderer* renderer, const vtkWaterSnapshot& water, water_grid_view* view)
 {

@@ -70,6 +70,9 @@ struct vtkWaterGather
   // The camera alone: matrices of the renderer's active camera for its viewport.
   static water_camera ReadCamera(vtkRenderer* renderer);
 
+  // Does a scene light shine that is the sun?
+  static bool HasSun(vtkRenderer* renderer);
+
   // The eye over a water's plane, for what displaces its points. false: there is nothing to see.
   static bool ReadView(vtkRenderer* renderer, const vtkWaterSnapshot& water, water_grid_view* view);
 
