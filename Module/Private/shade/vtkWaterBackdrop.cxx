@@ -104,12 +104,14 @@ bool vtkWaterBackdrop::Spread(
 {
   const Source source;
   vtkWaterSampleSpread::Picture picture;
-  const int side =
-    water_samples_side(source.Samples, rect + 2, vtkTextureObject::GetMaximumTextureSize(window));
-  this->IsSpread = heightClip && FindSamples(source, picture) &&
-    this->Ensure(window, side * rect[2], side * rect[3]) && SetPart(rect, part, picture) &&
-    this->Samples.Draw(window, picture, heightClip, side, this->Color, this->Depth);
-  this->Side = this->IsSpread ? side : 1;
+  this->IsSpread = heightClip && FindSamples(source, picture) && SetPart(rect, part, picture);
+  if (this->IsSpread)
+  {
+    this->Side = water_samples_side(
+      picture.Samples, rect + 2, vtkTextureObject::GetMaximumTextureSize(window));
+    this->IsSpread = this->Ensure(window, this->Side * rect[2], this->Side * rect[3]) &&
+      this->Samples.Draw(window, picture, heightClip, this->Side, this->Color, this->Depth);
+  }
   this->IsMixed = source.Samples > 0 && !this->IsSpread;
   return this->IsSpread;
 }
