@@ -112,6 +112,10 @@ void vtkWaterSurfaceShader::DrawFog()
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::SetHazeParameters(vtkShaderProgram* program)
 {
+  if (!this->Has(WATER_FEATURE_MEDIUM))
+  {
+    return;
+  }
   namespace uniforms = vtkWaterUniforms;
   const vtkWaterLook& look = this->Water->Look;
   const water_plan& plan = *this->Drawn.Plan;
