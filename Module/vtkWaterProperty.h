@@ -207,7 +207,9 @@ public:
    * Colour of infinitely deep water: it is visible where the water does not reflect and, with
    * Refraction, where the water is deep. Red, green, blue, each in [0, 1]. Setting it sets
    * DeepColorMode to GIVEN. In the mode MEDIUM, the default, GetDeepColor returns the colour under
-   * white daylight, and a colour of the actor's vtkProperty overrides it.
+   * white daylight, and a colour of the actor's vtkProperty overrides it. For an eye under water
+   * the haze is derived from it by depth, direction and sun; a colour that is set is the haze
+   * everywhere.
    */
   void SetDeepColor(double red, double green, double blue);
   void SetDeepColor(const double rgb[3]) { this->SetDeepColor(rgb[0], rgb[1], rgb[2]); }

@@ -128,8 +128,8 @@ static bool is_empty(const char* slot, water_feature_set features)
     return !(features & WATER_FEATURE_ROUGH);
   }
   if (strcmp(slot, "attenuation") == 0 || strcmp(slot, "refraction") == 0 ||
-    strcmp(slot, "picture") == 0 || strcmp(slot, "ground") == 0 || strcmp(slot, "shafts") == 0 ||
-    strcmp(slot, "others") == 0)
+    strcmp(slot, "picture") == 0 || strcmp(slot, "haze") == 0 || strcmp(slot, "scattered") == 0 ||
+    strcmp(slot, "ground") == 0 || strcmp(slot, "shafts") == 0 || strcmp(slot, "others") == 0)
   {
     return !(features & WATER_FEATURE_MEDIUM);
   }
@@ -143,7 +143,7 @@ static bool is_empty(const char* slot, water_feature_set features)
   }
   if (strcmp(slot, "mixture") == 0)
   {
-    return !(features & WATER_FEATURE_MATTER);
+    return !(features & (WATER_FEATURE_MATTER | WATER_FEATURE_MEDIUM));
   }
   if (strcmp(slot, "measure") == 0)
   {
@@ -230,13 +230,13 @@ static void assert_order(
 // files stand together, and no file stands twice.
 TEST(slots_stand_in_their_order)
 {
-  static const char* const surface[] = { "optics", "gradient", "attenuation", "mixture", "slopes",
-    "highlights", "cover", "measure", "gain", "cell", "place", "under", "height", "clarity",
-    "point", "pixel", "hulls", "sky", "floor", "tile", "slope", "sines", "tiles", "folds", "sea",
-    "normal_maps", "flow", "waves", "output", "reflection", "dome", "end", "walk", "behind",
-    "layer", "blur", "caustics", "picture", "medium", "shafts", "others", "refraction", "ground",
-    "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam_data", "foam", "sun",
-    "port", "surface" };
+  static const char* const surface[] = { "optics", "gradient", "attenuation", "mixture",
+    "scattered", "slopes", "highlights", "cover", "measure", "gain", "cell", "place", "under",
+    "height", "clarity", "point", "pixel", "hulls", "sky", "floor", "tile", "slope", "sines",
+    "tiles", "folds", "sea", "normal_maps", "flow", "waves", "output", "reflection", "dome", "end",
+    "walk", "behind", "layer", "blur", "caustics", "picture", "haze", "medium", "shafts", "others",
+    "refraction", "ground", "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps",
+    "foam_data", "foam", "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "matter", "foam", "shore", "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "pixel", "tile",

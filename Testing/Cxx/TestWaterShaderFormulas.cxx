@@ -220,6 +220,29 @@ std::vector<Formula> MakeScalars()
       return Outputs{ value, value, value, value };
     },
     OfUnit });
+  formulas.push_back({ "haze of particles", vtkWaterHaze, "vec4(waterHazeParticles(testCase(0).x))",
+    1, 64.0, [](Inputs& in) { in[0] = Between(-1.0, 1.0); },
+    [](const Inputs& in) {
+      const double value = water_shared_haze_particles(in[0]);
+      return Outputs{ value, value, value, value };
+    },
+    [](const Outputs& right) { return std::abs(right[0]); } });
+  formulas.push_back({ "haze over a way", vtkWaterHaze,
+    "vec4(waterHazeOver(testCase(0).x, testCase(0).y, testCase(0).z, testCase(0).w, "
+    "testCase(1).x))",
+    5, 256.0, // a difference of exponentials over a small rate
+    [](Inputs& in) {
+      in[0] = Magnitude(1e-3, 2.0);
+      in[1] = in[0] * Between(1.0, 1.5);
+      in[2] = Between(-1.0, 1.0);
+      in[3] = Magnitude(1e-2, 1e2);
+      in[4] = Magnitude(1e-2, 1e3);
+    },
+    [](const Inputs& in) {
+      const double value = water_shared_haze_over(in[0], in[1], in[2], in[3], in[4]);
+      return Outputs{ value, value, value, value };
+    },
+    OfUnit });
   formulas.push_back({ "density of slopes", vtkWaterSlopes,
     "vec4(waterSlopeDensity(testCase(0).x, testCase(0).y, testCase(0).z, testCase(0).w, "
     "testCase(1).x, testCase(1).y))",

@@ -164,16 +164,54 @@ def test_water_in_a_mirror_has_its_light_too():
     check_color("45 degrees to the light", view, shown_under(np.full(3, np.sqrt(0.5))))
 
 
-@pytest.mark.parametrize("elevation", (60, 75))
-def test_clear_water_is_blue_to_an_eye_in_it(elevation):
-    """A level look from a depth of 5 m in "clear tropical", under a clear sky with its sun, is blue, and not black."""
+def tropical(eye, look, elevation, deep=None):
+    """The median colour of "clear tropical", from a depth of -eye, under a clear sky with its sun at 150 degrees."""
     scene = Scene((80, 60))
     scene.set_clear_sky(150.0, elevation, 2.5)
-    scene.add_water(0.0, "clear tropical").SetSheetToHorizon()
-    scene.set_camera((0.0, 0.0, -5.0), (0.0, 10.0, -5.0), 60.0)
-    red, green, blue = np.median(np.asarray(scene.picture()).reshape(-1, 3), axis=0)
-    name = f"clear tropical at 5 m, sun at {elevation} degrees"
-    wt.check_at_least(f"{name}: blue of 255", float(blue), 70)
-    wt.check_at_least(f"{name}: green of 255", float(green), 40)  # 60 needs haze that depends on the direction of the look
+    water = scene.add_water(0.0, "clear tropical")
+    water.SetSheetToHorizon()
+    if deep is not None:
+        water.GetWaterProperty().SetDeepColor(deep)
+    scene.set_camera((0.0, 0.0, eye), tuple(np.add((0.0, 0.0, eye), look)), 60.0)
+    return np.median(np.asarray(scene.picture()).reshape(-1, 3), axis=0)
+
+
+@pytest.mark.parametrize("azimuth", (0, 90, 150, 270))
+@pytest.mark.parametrize("elevation", (60, 75))
+def test_clear_water_is_blue_to_an_eye_in_it(elevation, azimuth):
+    """A level look from a depth of 5 m in "clear tropical", under a clear sky with its sun, is blue, and not black."""
+    turn = np.radians(azimuth)
+    red, green, blue = tropical(-5.0, (10 * np.sin(turn), 10 * np.cos(turn), 0.0), elevation)
+    name = f"clear tropical at 5 m, sun at {elevation} degrees, look to {azimuth}"
+    wt.check_at_least(f"{name}: blue of 255", float(blue), 61)
+    wt.check_at_least(f"{name}: green of 255", float(green), 61)
     wt.check_at_least(f"{name}: green less red", float(green - red), 20)
     wt.check_at_least(f"{name}: blue less green", float(blue - green), 20)
+
+
+def test_haze_depends_on_depth_and_direction():
+    """Deeper is darker, down is darker than level, towards the sun is brighter than away from it."""
+    away = (0.0, 10.0, 0.0)
+    shallow, deep = tropical(-2.0, away, 60), tropical(-12.0, away, 60)
+    towards = tropical(-5.0, (5.0, -8.66, 0.0), 60)
+    level = tropical(-5.0, away, 60)
+    steep = tropical(-5.0, (0.0, 1.0, -8.0), 60)
+    wt.check_at_least("2 m over 12 m: green", float(shallow[1] - deep[1]), 15)
+    wt.check_at_least("towards the sun over away from it: green", float(towards[1] - level[1]), 8)
+    wt.check_at_least("level over down: green", float(level[1] - steep[1]), 10)
+
+
+def test_a_color_that_is_given_is_the_haze():
+    """In all directions and depths."""
+    for eye, look in ((-2.0, (0, 1, 0)), (-12.0, (0, 1, 0)), (-5.0, (0, 0.1, -1))):
+        shown = tropical(eye, look, 60, (0.2, 0.4, 0.6))
+        wt.check_at_most(f"at {-eye} m: off by, of 255", float(np.abs(shown - (51, 102, 153)).max()), 1.0)
+
+
+def test_straight_down_under_the_surface_is_the_deep_color():
+    """An eye just under the water sees of water without an end, straight down, what one over it sees."""
+    view, _ = pool((0.9, 0.8, 0.7), refraction=True)
+    expected = shown_under(decoded((0.9, 0.8, 0.7)))
+    check_color("from above", view, expected)
+    wt.place_camera(view.renderer, (0, -0.001, -0.02), (0, 0, -8), (0.01, 100))
+    check_color("from just under it", view, expected)

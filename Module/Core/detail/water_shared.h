@@ -16,6 +16,11 @@ double water_shared_schlick(double cosine, double eta);
 double water_shared_transmittance(double extinction, double way);
 double water_shared_sent_back(double scattering, double extinction);
 double water_shared_encoded(double linear);
+double water_shared_haze_particles(double cosine);
+double water_shared_haze_molecules(double cosine);
+double water_shared_haze_integral(double rate, double way);
+double water_shared_haze_over(
+  double extinction, double diffuse, double fall, double depth, double way);
 double water_shared_slope_density(double xx, double yy, double xy, double area, double x, double y);
 double water_shared_glitter_spread(double eye_cosine, double facet4);
 // References of tests: nothing in the module calls them; shaders have their text.

@@ -93,7 +93,10 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(gradient, vtkWaterGradient, 0, 0, "background colour in a direction")                          \
   X(attenuation, vtkWaterAttenuation, WATER_FEATURE_FLAG(MEDIUM), 0,                               \
     "attenuation of light in the water")                                                           \
-  X(mixture, vtkWaterMatter, WATER_FEATURE_FLAG(MATTER), 0, "water that carries matter")           \
+  X(mixture, vtkWaterMatter, WATER_FEATURE_FLAG(MATTER) | WATER_FEATURE_FLAG(MEDIUM), 0,           \
+    "water that carries matter")                                                                   \
+  X(scattered, vtkWaterHaze, WATER_FEATURE_FLAG(MEDIUM), 0,                                        \
+    "light that the water scatters towards an eye in it")                                          \
   X(slopes, vtkWaterSlopes, WATER_FEATURE_FLAG(GLITTER), 0, "slopes as a distribution")            \
   X(highlights, vtkWaterHighlights, WATER_FEATURE_FLAG(GLITTER), 0, "light over white")            \
   X(cover, vtkWaterFoamCover, WATER_FEATURE_FLAG(FOAM), 0, "foam coverage")                        \
@@ -196,6 +199,8 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(caustics, vtkWaterNoCausticsFS, 0, WATER_FEATURE_FLAG(CAUSTICS), "none")                       \
   X(picture, vtkWaterMediumPictureFS, WATER_FEATURE_FLAG(MEDIUM), 0,                               \
     "what is below the surface, as a picture with depths")                                         \
+  X(haze, vtkWaterHazeFS, WATER_FEATURE_FLAG(MEDIUM), 0,                                           \
+    "what the water before an eye in it adds")                                                     \
   X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0,                                       \
     "the scene, refracted and attenuated")                                                         \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \

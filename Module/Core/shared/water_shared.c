@@ -9,11 +9,16 @@
 #define uint uint32_t
 #define min fmin
 #define max fmax
+#define abs fabs
 #define waterFresnel water_shared_fresnel
 #define waterSchlick water_shared_schlick
 #define waterTransmittance water_shared_transmittance
 #define waterScatteredAt water_shared_scattered_at
 #define waterScattered water_shared_scattered
+#define waterHazeParticles water_shared_haze_particles
+#define waterHazeMolecules water_shared_haze_molecules
+#define waterHazeIntegral water_shared_haze_integral
+#define waterHazeOver water_shared_haze_over
 #define waterSlopeDensity water_shared_slope_density
 #define waterGlitterSpread water_shared_glitter_spread
 #define waterRollOff water_shared_roll_off
@@ -37,6 +42,7 @@
 #include "vtkWaterFoamCover.glsl"
 #include "vtkWaterFoamMeasure.glsl"
 #include "vtkWaterGradient.glsl"
+#include "vtkWaterHaze.glsl"
 #include "vtkWaterHighlights.glsl"
 #include "vtkWaterMatter.glsl"
 #include "vtkWaterOptics.glsl"

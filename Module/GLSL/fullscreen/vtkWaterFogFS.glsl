@@ -17,8 +17,11 @@ uniform vec3 waterDeepColor;
 uniform vec3 waterExtinction;
 
 #include "vtkWaterAttenuation.glsl"
+#include "vtkWaterMatter.glsl"
+#include "vtkWaterHaze.glsl"
 
-// Of the slot shafts, which follows.
+// Of the slots haze and shafts, which follow.
+vec3 waterHaze(vec3 ray, float fall, float way);
 float waterShaftEnd(vec3 ray, float way);
 vec3 waterShaftsAlong(vec3 ray, float way);
 
@@ -53,5 +56,5 @@ void main()
   vec3 left = vec3(waterTransmittance(waterExtinction.r, way),
     waterTransmittance(waterExtinction.g, way), waterTransmittance(waterExtinction.b, way));
   color *= eyeBelow > 0.0 && below > 0.0 && depth < 1.0 ? waterShaftEnd(ray, way) : 1.0;
-  gl_FragData[0] = vec4(mix(waterDeepColor * waterShaftsAlong(ray, way), color, left), 1.0);
+  gl_FragData[0] = vec4(mix(waterHaze(ray, -waterSide * ray.z, way) * waterShaftsAlong(ray, way), color, left), 1.0);
 }

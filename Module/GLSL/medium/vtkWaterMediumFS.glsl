@@ -211,5 +211,6 @@ vec3 waterSeenFrom(WaterPoint point, vec3 color)
   }
   float along = (waterDirToEye * vec4(point.ray, 0.0)).w;
   float way = 1.0 / (waterPerW() * along);
-  return mix(waterDeepColor * waterShaftsAlong(point.ray, way), color, waterLeft(way));
+  vec3 haze = waterHaze(point.ray, -waterSide * point.ray.z, way);
+  return mix(haze * waterShaftsAlong(point.ray, way), color, waterLeft(way));
 }

@@ -9,6 +9,7 @@
 #include "vtkWaterBackdrop.h"
 #include "vtkWaterFogFS.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterHazeFS.h"
 #include "vtkWaterNoShaftsFS.h"
 #include "vtkWaterShaftsFS.h"
 #include "vtkWaterUniforms.h"
@@ -57,14 +58,14 @@ struct ScopedFirstBuffer
 
 //------------------------------------------------------------------------------
 void vtkWaterFog::Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBackdrop& backdrop,
-  const double deepColor[3], const double extinction[3],
-  const std::function<void(vtkShaderProgram*)>& setShafts)
+  const double deepColor[3], const double extinction[3], bool hasShafts,
+  const std::function<void(vtkShaderProgram*)>& setLight)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  static const std::string sources[2] = { std::string(vtkWaterFogFS) + vtkWaterNoShaftsFS,
-    std::string(vtkWaterFogFS) + vtkWaterShaftsFS };
-  vtkWaterQuad& quad = setShafts ? this->ShaftQuad : this->Quad;
-  vtkShaderProgram* program = quad.Ready(window, sources[setShafts ? 1 : 0].c_str());
+  static const std::string hazy = std::string(vtkWaterFogFS) + vtkWaterHazeFS;
+  static const std::string sources[2] = { hazy + vtkWaterNoShaftsFS, hazy + vtkWaterShaftsFS };
+  vtkWaterQuad& quad = hasShafts ? this->ShaftQuad : this->Quad;
+  vtkShaderProgram* program = quad.Ready(window, sources[hasShafts ? 1 : 0].c_str());
   if (!program)
   {
     return;
@@ -85,10 +86,7 @@ void vtkWaterFog::Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBa
   vtkWaterUniforms::Set4(program, "waterClipW", plan.clip_w);
   vtkWaterUniforms::Set3(program, "waterDeepColor", deepColor);
   vtkWaterUniforms::Set3(program, "waterExtinction", extinction);
-  if (setShafts)
-  {
-    setShafts(program);
-  }
+  setLight(program);
   {
     vtkOpenGLState::ScopedglColorMask colorMask(state);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);

@@ -18,10 +18,10 @@ public:
   // Draws the picture again as seen through the water, for an eye that is submerged. The backdrop's
   // textures are active.
   //
-  // setShafts  sets the uniforms of its light shafts; empty: it has none
+  // setLight   sets the uniforms of the slot haze and, if it has them, of its light shafts
   void Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBackdrop& backdrop,
-    const double deepColor[3], const double extinction[3],
-    const std::function<void(vtkShaderProgram*)>& setShafts);
+    const double deepColor[3], const double extinction[3], bool hasShafts,
+    const std::function<void(vtkShaderProgram*)>& setLight);
 
   void ReleaseGraphicsResources();
 

@@ -8,7 +8,9 @@
 #include "vtkWaterFog.h"
 #include "vtkWaterRanks.h"
 #include "vtkWaterSurfaceShader.h"
+#include "vtkWaterUniforms.h"
 #include "water_daylight.h"
+#include "water_haze.h"
 #include "water_lookup.h"
 #include "water_plan.h"
 #include "water_shafts.h"
@@ -95,13 +97,52 @@ void vtkWaterSurfaceShader::DrawFog()
   double extinction[3];
   this->FindDeepColor(deepColor);
   this->FindExtinction(extinction);
-  std::function<void(vtkShaderProgram*)> setShafts;
-  if (this->HasShafts)
+  const auto setLight = [this](vtkShaderProgram* program) {
+    this->SetHazeParameters(program);
+    if (this->HasShafts)
+    {
+      this->SetShaftParameters(program);
+    }
+  };
+  this->Drawn.Fog->Draw(this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, extinction,
+    this->HasShafts, setLight);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::SetHazeParameters(vtkShaderProgram* program)
+{
+  if (!this->Has(WATER_FEATURE_MEDIUM))
   {
-    setShafts = [this](vtkShaderProgram* program) { this->SetShaftParameters(program); };
+    return;
   }
-  this->Drawn.Fog->Draw(
-    this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, extinction, setShafts);
+  namespace uniforms = vtkWaterUniforms;
+  const vtkWaterLook& look = this->Water->Look;
+  const water_plan& plan = *this->Drawn.Plan;
+  const bool isOne = look.HasDeepColor || !plan.is_submerged;
+  uniforms::Set(program, "waterHazeIsOne", isOne ? 1 : 0);
+  const double up = plan.side == WATER_BELOW ? -1.0 : 1.0;
+  water_haze_input input = water_haze_input();
+  water_medium_reflectance(&look.Medium, input.deep);
+  this->FindExtinction(input.extinction);
+  input.medium = look.Medium;
+  input.index = look.Optics.index_of_refraction;
+  for (int i = 0; i < 3; ++i)
+  {
+    input.deep[i] *= plan.daylight[i];
+    input.daylight[i] = plan.daylight[i];
+    input.sun_color[i] = plan.has_sun ? plan.sun_color[i] : 0.0;
+    input.sun_dir[i] = plan.has_sun ? plan.sun_dir[i] : 0.0;
+  }
+  input.sun_dir[2] *= up;
+  water_haze haze;
+  water_haze_find(&input, &haze);
+  const double sunDir[3] = { haze.sun_dir[0], haze.sun_dir[1], up * haze.sun_dir[2] };
+  uniforms::Set(program, "waterHazeDepth", plan.is_submerged ? plan.plane_view[3] : 0.0);
+  uniforms::Set3(program, "waterHazeDiffuse", haze.diffuse);
+  uniforms::Set3(program, "waterHazeSun", sunDir);
+  uniforms::Set3(program, "waterHazeOfParticles", haze.particles);
+  uniforms::Set3(program, "waterHazeOfMolecules", haze.molecules);
+  uniforms::Set4s(program, "waterHazeSky", 3, haze.sky);
 }
 
 //------------------------------------------------------------------------------

@@ -194,6 +194,7 @@ private:
   void SetSunParameters(vtkShaderProgram* program);
   void SetCausticParameters(vtkShaderProgram* program);
   void SetPhotonParameters(vtkShaderProgram* program);
+  void SetHazeParameters(vtkShaderProgram* program);
   void SetShaftParameters(vtkShaderProgram* program);
   void SetSeaParameters(vtkShaderProgram* program);
   void SetNormalMapParameters(vtkShaderProgram* program);

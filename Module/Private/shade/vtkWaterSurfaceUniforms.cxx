@@ -93,6 +93,7 @@ void vtkWaterSurfaceShader::SetParameters(
     this->SetSunParameters(program);
     this->SetCausticParameters(program);
     this->SetShaftParameters(program);
+    this->SetHazeParameters(program);
   }
   if (plan && this->Has(WATER_FEATURE_NORMAL_MAPS))
   {
