@@ -168,6 +168,55 @@ TEST(clip_has_the_sign_of_the_height)
   assert_int_in_range(cut, 1500, 6000);
 }
 
+// With floats, the clip's place is right to a part in 1e5 of the distance however close the near
+// plane is: here 0.001, and the far plane 1000. From all four of the clip's coordinates it is not.
+TEST(clip_in_floats_is_where_it_should_be)
+{
+  dice from = dice_seeded(17);
+  double most = 0.0;
+  double most_of_four = 0.0;
+  for (int round = 0; round < 6000; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, nearby);
+    if (random.scene.eye.parallel)
+    {
+      continue;
+    }
+    random.scene.eye.view_to_clip[10] = -1000.001 / 999.999;
+    random.scene.eye.view_to_clip[11] = -2.0 / 999.999;
+    const water_plan plan = plan_of(&random.scene, NULL);
+    double point[3];
+    double clip[4];
+    double position[4];
+    double constant;
+    point_near(&from, &random, 2.0, point);
+    project(&plan.mirrored, point, 1.0, clip);
+    if (clip[3] <= 0.01)
+    {
+      continue;
+    }
+    water_mirror_clip_position(
+      plan.mirrored.view_to_clip, plan.clip_plane_clip, position, &constant);
+    float height = (float)constant;
+    float of_four = 0.0f;
+    double size = fabs(constant);
+    for (int i = 0; i < 4; ++i)
+    {
+      height += (float)position[i] * (float)clip[i];
+      of_four += (float)plan.clip_plane_clip[i] * (float)clip[i];
+      size += fabs(position[i] * clip[i]);
+    }
+    const double right = height_of(&random, point);
+    ASSERT_CLOSE(height, right, 1e-6 * size);
+    most = fmax(most, fabs(height - right) / (fabs(constant) + fabs(clip[3])));
+    most_of_four = fmax(most_of_four, fabs(of_four - right) / (fabs(constant) + fabs(clip[3])));
+  }
+  printf("error of the clip over the distance: %.2g, from its four coordinates %.2g\n", most,
+    most_of_four);
+  assert_true(most < 1e-5);
+  assert_true(most_of_four > 10.0 * most);
+}
+
 // Where nothing reaches out the mirrored projection keeps its depths to the last bit.
 TEST(far_plane_stays_without_a_reason)
 {
@@ -299,6 +348,7 @@ TEST(clip_needs_a_projection_with_an_inverse)
 
 TESTS(mirrored_camera_of_a_known_eye, pose_and_matrix_are_the_same_camera,
   point_on_water_keeps_its_pixel, point_above_water_is_seen_as_its_mirror_image,
-  mirrored_twice_is_the_eye, clip_has_the_sign_of_the_height, far_plane_stays_without_a_reason,
-  far_plane_keeps_its_margin, far_plane_moves_behind_the_drawn_props, widening_scales_two_rows,
+  mirrored_twice_is_the_eye, clip_has_the_sign_of_the_height, clip_in_floats_is_where_it_should_be,
+  far_plane_stays_without_a_reason, far_plane_keeps_its_margin,
+  far_plane_moves_behind_the_drawn_props, widening_scales_two_rows,
   clip_needs_a_projection_with_an_inverse)

@@ -16,7 +16,8 @@ How it is put together:
                 same, added to SECTIONS
     scene_generator
                 makes the random scenes, each from a seed. More of them than the report has:
-                random_scenes.py is a command of its own; refraction_generator and refraction_truth are
+                random_scenes.py is a command of its own, and oracle.py tells what
+                a lookup that is right everywhere would reach; refraction_generator and refraction_truth are
                 the same for what is seen through water, edge_generator and edges for edges
 
 The truth shares no code with the module under test: waves, reflections and intersections are

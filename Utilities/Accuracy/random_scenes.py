@@ -74,8 +74,8 @@ class Truth:
     """What is right of a scene: its picture, the water's pixels, and what is seen without water."""
 
     def __init__(self, scene, samples, size=scene_generator.SIZE):
-        self.size, self._scene = size, scene
-        self._tracer = Tracer(scene.made.renderer, scene.origin)
+        self.size, self.scene = size, scene
+        self.tracer = Tracer(scene.made.renderer, scene.origin)
         side = round(np.sqrt(samples))
         self.once, first, self.mask = self._picture((0.5, 0.5))
         self.low, self.high, total = first, first, 0.0
@@ -86,34 +86,34 @@ class Truth:
             self.low, self.high = np.minimum(self.low, first), np.maximum(self.high, first)
         self.picture, self.once = np.rint(total / side**2), np.rint(self.once)
         self.is_in_map = self._is_in_map()
-        self.doubtful = 100 * self._tracer.doubtful_count / max(self._tracer.hit_count, 1)
+        self.doubtful = 100 * self.tracer.doubtful_count / max(self.tracer.hit_count, 1)
+
+    def rays(self, shift):
+        """Rays through a place (0 to 1) of each pixel: colours that they see without water, whether they meet water, and
+        of those that do, where, and the ways on."""
+        start, ray = self.scene.rays(self.size, shift)
+        colors, distance = self.tracer.cast(start, ray)
+        is_water, place = self.scene.meet_water(start, ray, distance)
+        place = place[is_water]
+        _, *slopes = ray_caster.heights_and_slopes(self.scene.waves, place[:, 0], place[:, 1], 0.0)
+        _, away = reflected(ray[is_water], *slopes)
+        away[:, 2] = np.abs(away[:, 2])  # one that would meet the water again is bounced off it once more
+        return colors, is_water, place, away
 
     def _picture(self, shift):
         """With one ray a pixel: 255 RGB with and without water, and whether the ray meets water."""
         width, height = self.size
-        start, ray = self._scene.rays(self.size, shift)
-        colors, distance = self._tracer.cast(start, ray)
+        colors, is_water, place, away = self.rays(shift)
         first = 255 * colors.reshape(height, width, 3)
-        is_water, place = self._scene.meet_water(start, ray, distance)
-        place = place[is_water]
-        _, *slopes = ray_caster.heights_and_slopes(self._scene.waves, place[:, 0], place[:, 1], 0.0)
-        _, away = reflected(ray[is_water], *slopes)
-        away[:, 2] = np.abs(away[:, 2])  # one that would meet the water again is bounced off it once more
-        colors[is_water] = self._tracer.cast(place, away)[0]
+        colors[is_water] = self.tracer.cast(place, away)[0]
         return 255 * colors.reshape(height, width, 3), first, is_water.reshape(height, width)
-
 
     def _is_in_map(self):
         """Pixels of whose middle reflected ray one mirrored view shows the end; of one that meets nothing, too."""
         width, height = self.size
-        scene, found = self._scene, np.ones(width * height, dtype=bool)
-        start, ray = scene.rays(self.size, (0.5, 0.5))
-        is_water, place = scene.meet_water(start, ray, self._tracer.cast(start, ray)[1])
-        place = place[is_water]
-        _, *slopes = ray_caster.heights_and_slopes(scene.waves, place[:, 0], place[:, 1], 0.0)
-        _, away = reflected(ray[is_water], *slopes)
-        away[:, 2] = np.abs(away[:, 2])
-        length = self._tracer.cast(place, away)[1]
+        scene, found = self.scene, np.ones(width * height, dtype=bool)
+        _, is_water, place, away = self.rays((0.5, 0.5))
+        length = self.tracer.cast(place, away)[1]
         end = place + np.where(np.isfinite(length), length, 1.0)[:, None] * away
         camera = scene.made.renderer.GetActiveCamera()
         matrix = ray_caster._array(camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1))
@@ -122,7 +122,7 @@ class Truth:
         eye, down = ray_caster.rays_at(camera, self.size, x, y)
         eye = eye - scene.origin
         surface = eye - (eye[:, 2] / down[:, 2])[:, None] * down  # from there on the mirrored view has something
-        free = self._tracer.cast(surface, down * (1, 1, -1))[1]
+        free = self.tracer.cast(surface, down * (1, 1, -1))[1]
         is_seen = free > (1 - 2e-3) * np.linalg.norm(end - surface, axis=1)
         is_inside = (clip[:, 3] > 0) & (np.abs(x) < MAP) & (np.abs(y) < MAP)
         found[is_water] = (is_seen & is_inside & (down[:, 2] < 0)) | ~np.isfinite(length)

@@ -222,6 +222,22 @@ water_status water_mirror_clip_clip(
   return WATER_OK;
 }
 
+void water_mirror_clip_position(const double view_to_clip[16], const double clip_plane_clip[4],
+  double position[4], double* constant)
+{
+  memcpy(position, clip_plane_clip, 4 * sizeof position[0]);
+  *constant = 0.0;
+  const double* z = &view_to_clip[8];
+  const double* w = &view_to_clip[12];
+  if (z[0] == 0.0 && z[1] == 0.0 && w[0] == 0.0 && w[1] == 0.0 && w[2] != 0.0 && w[3] == 0.0)
+  {
+    // z = z[2] w / w[2] + z[3]
+    position[2] = 0.0;
+    position[3] += clip_plane_clip[2] * z[2] / w[2];
+    *constant = clip_plane_clip[2] * z[3];
+  }
+}
+
 void water_mirror_clip_window(
   const double clip_plane_clip[4], const int texture_px[2], double clip_plane_window[4])
 {

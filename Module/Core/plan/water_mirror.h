@@ -88,6 +88,12 @@ void water_mirror_clip_view(const double plane_view[4], double margin, double cl
 water_status water_mirror_clip_clip(
   const double view_to_clip[16], const double clip_plane_view[4], double clip_plane_clip[4]);
 
+// The same for single precision: the height over the clip is dot(position, clip) + constant. A
+// perspective's z and w differ by little more than their rounding where the near plane is close,
+// and the clip would be found from that: z is left out there.
+void water_mirror_clip_position(const double view_to_clip[16], const double clip_plane_clip[4],
+  double position[4], double* constant);
+
 // The clip of water_mirror_clip_clip in the reflection texture's window space:
 // dot(clip_plane_window, (x_px, y_px, depth, 1)) has the sign of the clip for every point in front
 // of the camera; depth in [0, 1]. The largest entry is 1 or -1.

@@ -28,6 +28,7 @@
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterVolumeFS.h"
+#include "water_mirror.h"
 #include "water_types.h"
 
 #include <algorithm>
@@ -404,7 +405,15 @@ void vtkWaterShaderHook::SetMirroredParameters(
     return;
   }
   vtkWaterUniforms::Set4(program, "waterClipWindow", isCut ? plan->clip_plane_window : keepAll);
-  vtkWaterUniforms::Set4(program, "waterClipPosition", isCut ? plan->clip_plane_clip : keepAll);
+  double position[4] = { 0.0, 0.0, 0.0, 1.0 };
+  double constant = 0.0;
+  if (isCut)
+  {
+    water_mirror_clip_position(
+      plan->mirrored.view_to_clip, plan->clip_plane_clip, position, &constant);
+  }
+  vtkWaterUniforms::Set4(program, "waterClipPosition", position);
+  vtkWaterUniforms::Set(program, "waterClipConstant", constant);
   vtkWaterUniforms::Set4(program, "waterClipView", isCut ? plan->clip_plane_view : keepAll);
   double headlight[4] = { 0.0, 0.0, -1.0, 0.0 };
   double place[4] = { 0.0, 0.0, 0.0, 0.0 };
