@@ -45,7 +45,7 @@ class TestReuse(unittest.TestCase):
     def test_what_changes_is_rendered_anew(self):
         for change in (lambda: setattr(self.sphere, "Radius", 0.4),
                        lambda: setattr(pv.GetDisplayProperties(self.sphere, self.view), "DiffuseColor", [0, 1, 0]),
-                       lambda: setattr(pv.GetDisplayProperties(self.sphere, self.view), "Position", [0.1, 0, 0]),
+                       lambda: setattr(pv.GetDisplayProperties(self.sphere, self.view), "Scale", [1.1, 1, 1]),
                        lambda: setattr(self.view, "CameraPosition", [0.5, -6.0, 2.0])):
             before = renders(self.shown)
             change()
