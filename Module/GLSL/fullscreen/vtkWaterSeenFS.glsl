@@ -27,5 +27,6 @@ void main()
     places += isBeyond ? vec3(waterSamplePlaces[i], 1.0) : vec3(0.0);
   }
   bool isPart = places.z > 0.0 && places.z < float(WATER_SEEN_SAMPLES);
-  gl_FragData[0] = vec4(isPart ? places.xy / places.z : vec2(0.0), float(beyond), 1.0);
+  vec2 bits = vec2(float(beyond & 65535), float((beyond >> 16) & 65535)); // a float has 24 exactly
+  gl_FragData[0] = vec4(isPart ? places.xy / places.z : vec2(0.0), bits);
 }

@@ -26,9 +26,10 @@ void main()
   ivec2 inside = fine - WATER_SPREAD_SIDE * pixel;
   pixel += waterSamplePart.xy;
   int number = waterSampleNumbers[inside.y * WATER_SPREAD_SIDE + inside.x];
-  int beyond = int(texelFetch(waterSampleSeen, pixel, 0).b);
+  ivec2 bits = ivec2(texelFetch(waterSampleSeen, pixel, 0).ba);
+  int beyond = bits.x | (bits.y << 16);
   vec2 middle = (vec2(inside) + 0.5) / float(WATER_SPREAD_SIDE) - 0.5;
-  if (beyond > 0 && ((beyond >> number) & 1) == 0)
+  if (beyond != 0 && ((beyond >> number) & 1) == 0)
   {
     float nearest = 1e9;
     for (int i = 0; i < WATER_SPREAD_SAMPLES; ++i)

@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
+#include "vtkWaterFramebuffers.h"
 #include "vtkWaterGL.h"
 
 #include <algorithm>
@@ -62,9 +63,7 @@ bool vtkWaterTarget::MakeFramebuffers(
   this->Framebuffer->AddColorAttachment(0, this->Color);
   this->Framebuffer->AddDepthAttachment(this->Depth);
   this->Framebuffer->ActivateBuffer(0);
-  const char* reason = nullptr;
-  const bool isComplete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-    vtkOpenGLFramebufferObject::GetBothMode(), reason);
+  const bool isComplete = vtkWaterFramebuffers::IsComplete();
   if (!isComplete || samples == 0)
   {
     return isComplete;

@@ -7,6 +7,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterFftFS.h"
+#include "vtkWaterFramebuffers.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterQueryResult.h"
 #include "vtkWaterScopedPlainDraws.h"
@@ -156,9 +157,7 @@ bool vtkWaterSlopePasses::MakeTarget(vtkOpenGLRenderWindow* window, int componen
   target.Framebuffer->AddColorAttachment(0, target.Texture);
   target.Framebuffer->ActivateBuffer(0);
   target.Framebuffer->ActivateReadBuffer(0);
-  const char* reason = nullptr;
-  return vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-           vtkOpenGLFramebufferObject::GetBothMode(), reason) != 0;
+  return vtkWaterFramebuffers::IsComplete();
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include "vtkWaterClipProbeVS.h"
 #include "vtkWaterCoverFS.h"
 #include "vtkWaterDebug.h"
+#include "vtkWaterFramebuffers.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterQueryResult.h"
 
@@ -96,12 +97,9 @@ bool IsCutRight(vtkOpenGLRenderWindow* window)
   framebuffer->AddColorAttachment(0, color);
   framebuffer->ActivateDrawBuffer(0);
   framebuffer->ActivateReadBuffer(0);
-  const char* reason = nullptr;
   vtkShaderProgram* program =
     window->GetShaderCache()->ReadyShaderProgram(vtkWaterClipProbeVS, vtkWaterCoverFS, "");
-  if (!program ||
-    !vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-      vtkOpenGLFramebufferObject::GetBothMode(), reason))
+  if (!program || !vtkWaterFramebuffers::IsComplete())
   {
     return false;
   }

@@ -7,6 +7,7 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkWaterBedFS.h"
+#include "vtkWaterFramebuffers.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterLightFS.h"
 #include "vtkWaterLightVS.h"
@@ -83,10 +84,7 @@ vtkSmartPointer<vtkOpenGLFramebufferObject> MakeFramebuffer(
     framebuffer->AddColorAttachment(count++, target);
   }
   framebuffer->ActivateDrawBuffers(count);
-  const char* reason = nullptr;
-  const bool isComplete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-    vtkOpenGLFramebufferObject::GetBothMode(), reason);
-  return isComplete ? framebuffer : nullptr;
+  return vtkWaterFramebuffers::IsComplete() ? framebuffer : nullptr;
 }
 
 bool HasSize(vtkTextureObject* texture, const int size_px[2])

@@ -6,6 +6,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkWaterFramebuffers.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterPutSampleFS.h"
 #include "vtkWaterRankPixels.h"
@@ -65,9 +66,7 @@ vtkSmartPointer<vtkOpenGLFramebufferObject> vtkWaterRankSamples::MakeFramebuffer
   made->AddColorAttachment(0, color);
   made->AddDepthAttachment(depth);
   made->ActivateDrawBuffer(0);
-  const char* reason = nullptr;
-  const bool isComplete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-    vtkOpenGLFramebufferObject::GetBothMode(), reason);
+  const bool isComplete = vtkWaterFramebuffers::IsComplete();
   state->PopFramebufferBindings();
   return isComplete ? made : nullptr;
 }

@@ -4,6 +4,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+#include "vtkWaterFramebuffers.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterScopedSamples.h"
 #include "vtkWaterSeenFS.h"
@@ -25,13 +26,6 @@ void SetRect(vtkShaderProgram* program, const char* name, const int rect[4])
 {
   const GLint location = glGetUniformLocation(static_cast<GLuint>(program->GetHandle()), name);
   glUniform4iv(location, 1, rect);
-}
-
-bool IsComplete()
-{
-  const char* reason = nullptr;
-  return vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-    vtkOpenGLFramebufferObject::GetBothMode(), reason);
 }
 }
 
@@ -89,8 +83,9 @@ bool vtkWaterSampleSpread::DrawSeen(vtkOpenGLRenderWindow* window, const Picture
   this->SeenFramebuffer->Bind();
   this->SeenFramebuffer->AddColorAttachment(0, this->Seen);
   this->SeenFramebuffer->ActivateDrawBuffer(0);
-  vtkShaderProgram* program =
-    IsComplete() ? this->SeenQuad.Ready(window, this->SeenSource.c_str()) : nullptr;
+  vtkShaderProgram* program = vtkWaterFramebuffers::IsComplete()
+    ? this->SeenQuad.Ready(window, this->SeenSource.c_str())
+    : nullptr;
   if (program)
   {
     vtkOpenGLState* state = window->GetState();
@@ -115,7 +110,7 @@ bool vtkWaterSampleSpread::DrawSpread(vtkOpenGLRenderWindow* window, const Pictu
   this->Framebuffer->AddDepthAttachment(depth);
   this->Framebuffer->ActivateDrawBuffer(0);
   vtkShaderProgram* program =
-    IsComplete() ? this->Quad.Ready(window, this->Source.c_str()) : nullptr;
+    vtkWaterFramebuffers::IsComplete() ? this->Quad.Ready(window, this->Source.c_str()) : nullptr;
   if (program)
   {
     int fine[4]; // of the finer picture

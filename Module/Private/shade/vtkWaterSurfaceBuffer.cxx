@@ -9,6 +9,7 @@
 #include "vtkWaterBufferPutFS.h"
 #include "vtkWaterBufferSampleFS.h"
 #include "vtkWaterBufferSortFS.h"
+#include "vtkWaterFramebuffers.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterScopedPlainDraws.h"
 #include "vtkWaterScopedSamples.h"
@@ -52,13 +53,6 @@ vtkSmartPointer<vtkOpenGLFramebufferObject> MakeFramebuffer(vtkOpenGLRenderWindo
   }
   DrawInto(0, number);
   return made;
-}
-
-bool IsComplete()
-{
-  const char* reason = nullptr;
-  return vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-    vtkOpenGLFramebufferObject::GetBothMode(), reason);
 }
 
 // The framebuffer that is bound gets the depth of the picture; 0: none.
@@ -135,10 +129,10 @@ bool vtkWaterSurfaceBuffer::Ensure(const int viewport[4], bool hasData)
   }
   this->SortedFramebuffer = MakeFramebuffer(window,
     { this->Texels[0], this->Texels[1], this->Masks, this->Data[0], this->Data[1] }, this->Depth);
-  bool isComplete = IsComplete();
+  bool isComplete = vtkWaterFramebuffers::IsComplete();
   this->ShadedFramebuffer =
     MakeFramebuffer(window, { this->Shaded[0], this->Shaded[1] }, this->Depth);
-  isComplete = isComplete && IsComplete();
+  isComplete = isComplete && vtkWaterFramebuffers::IsComplete();
   this->KeptFramebuffer = MakeFramebuffer(window, { this->Kept, this->KeptData }, nullptr);
   return isComplete;
 }
@@ -167,7 +161,7 @@ vtkWaterSurfaceBuffer::Keeping::Keeping(
     buffer.KeptFramebuffer->Bind();
     DrawInto(0, hasData ? 2 : 1);
     AttachDepth(depth, buffer.Samples);
-    this->IsReady = IsComplete();
+    this->IsReady = vtkWaterFramebuffers::IsComplete();
   }
   if (!this->IsReady)
   {
