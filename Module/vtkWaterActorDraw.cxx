@@ -253,6 +253,8 @@ water_feature_set FeaturesWith(
   const bool hasSamples = inputs.Renderer->GetRenderWindow()->GetMultiSamples() > 1;
   water_feature_set features = water_features_with_texture(water.Features, &texture);
   features = hasSamples ? water_features_with_samples(features) : features;
+  const bool hasLayerBelow = water.WantsOwnView() && inputs.OwnView.Translucent.Color;
+  features = hasLayerBelow ? water_features_with_below_layer(features) : features;
   const bool hasOwnSky = vtkWaterSurfaceShader::HasOwnSky(water);
   if (inputs.Plan)
   {

@@ -19,7 +19,7 @@ enum
   SHADER_TEXTURE_COUNT = 1 << 4, // what a reflection texture may have
   SHADER_SKY_COUNT = 7, // skies beside the one-coloured one: three, a floor, and they with a floor
   // each as often as it is asked for, and with skies
-  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 18 * SHADER_TEXTURE_COUNT)
+  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 20 * SHADER_TEXTURE_COUNT)
 };
 #undef SHADER_ONE_MORE
 
@@ -136,6 +136,8 @@ static inline size_t shader_combinations(water_feature_set* sets)
         sets[count++] = water_features_with_ground(hardware);
         sets[count++] = water_features_with_open(asked);
         sets[count++] = water_features_with_open(hardware);
+        sets[count++] = water_features_with_below_layer(water_features_with_samples(asked));
+        sets[count++] = water_features_with_below_layer(water_features_with_open(hardware));
       }
       // a mesh whose vertices VTK does not let us move
       sets[count++] = asked & still;

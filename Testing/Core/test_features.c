@@ -184,6 +184,18 @@ TEST(samples_are_of_what_is_seen_through)
   }
 }
 
+// Only through clear water are translucent props seen below.
+TEST(layer_below_is_of_what_is_seen_through)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_set features = expected_of(has);
+    const bool is_clear = (features & WATER_FEATURE_MEDIUM) != 0;
+    assert_int_equal(water_features_with_below_layer(features),
+      features + (is_clear ? WATER_FEATURE_BELOW_LAYER : 0));
+  }
+}
+
 // Only through clear water is anything seen under a dome port's waterline.
 TEST(port_is_for_what_is_seen_through)
 {
@@ -283,6 +295,7 @@ TEST(sets_have_room_for_64_features)
   assert_true((water_features_with_ground(last) & last) != 0);
   assert_true((water_features_with_open(last) & last) != 0);
   assert_true((water_features_with_samples(last) & last) != 0);
+  assert_true((water_features_with_below_layer(last) & last) != 0);
   assert_true((water_features_on_hardware(last) & last) != 0);
   assert_true((water_sky_features(last, false, false, &sky) & last) != 0);
 }
@@ -290,6 +303,7 @@ TEST(sets_have_room_for_64_features)
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
   mesh_is_drawn_as_it_is_or_displaced, a_current_needs_waves_over_a_mesh,
   matter_is_in_what_is_seen_through, data_of_foam_need_foam, any_mesh_can_be_cut_at_the_shore,
-  slopes_of_a_mesh_turn_rays, samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through,
-  buffers_are_for_meshes, ground_is_for_what_is_seen_through, hardware_reads_in_batches,
+  slopes_of_a_mesh_turn_rays, samples_are_of_what_is_seen_through,
+  layer_below_is_of_what_is_seen_through, port_is_for_what_is_seen_through, buffers_are_for_meshes,
+  ground_is_for_what_is_seen_through, hardware_reads_in_batches,
   water_in_a_mirrored_view_is_smooth_or_rough, sets_have_room_for_64_features)

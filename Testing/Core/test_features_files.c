@@ -27,8 +27,9 @@ enum
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
   // not flat, or without, with samples, with hulls, with a current, with matter, with foam of data,
-  // over ground or none, in a buffer, cut at the shore, and under one of 8 kinds of skies
-  REACHABLE_MAX = (2 + 18 * 8) * LOOKS
+  // over ground or none, with a layer below, in a buffer, cut at the shore, and under one of 8
+  // kinds of skies
+  REACHABLE_MAX = (2 + 19 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -92,7 +93,8 @@ static size_t reach_all(const water_feature_set** all)
       features[count + 15] = water_features_with_foam_data(features[count + has % 8]);
       features[count + 16] = water_features_with_shore(features[count + has % 8]);
       features[count + 17] = water_features_with_open(features[count + has % 8]);
-      count += 18;
+      features[count + 18] = water_features_with_below_layer(features[count + has % 8]);
+      count += 19;
     }
   }
   qsort(features, count, sizeof features[0], compare_sets);
@@ -129,7 +131,8 @@ static bool is_empty(const char* slot, water_feature_set features)
   }
   if (strcmp(slot, "attenuation") == 0 || strcmp(slot, "refraction") == 0 ||
     strcmp(slot, "picture") == 0 || strcmp(slot, "haze") == 0 || strcmp(slot, "scattered") == 0 ||
-    strcmp(slot, "ground") == 0 || strcmp(slot, "shafts") == 0 || strcmp(slot, "others") == 0)
+    strcmp(slot, "ground") == 0 || strcmp(slot, "shafts") == 0 || strcmp(slot, "others") == 0 ||
+    strcmp(slot, "below") == 0)
   {
     return !(features & WATER_FEATURE_MEDIUM);
   }
@@ -234,9 +237,9 @@ TEST(slots_stand_in_their_order)
     "scattered", "slopes", "highlights", "cover", "measure", "gain", "cell", "place", "under",
     "height", "clarity", "point", "pixel", "hulls", "sky", "floor", "tile", "slope", "sines",
     "tiles", "folds", "sea", "normal_maps", "flow", "waves", "output", "reflection", "dome", "end",
-    "walk", "behind", "layer", "blur", "caustics", "picture", "haze", "medium", "shafts", "others",
-    "refraction", "ground", "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps",
-    "foam_data", "foam", "sun", "port", "surface" };
+    "walk", "behind", "layer", "blur", "caustics", "picture", "haze", "medium", "below", "shafts",
+    "others", "refraction", "ground", "facet_slopes", "facets", "rays", "shadows", "glitter",
+    "whitecaps", "foam_data", "foam", "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "matter", "foam", "shore", "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "pixel", "tile",

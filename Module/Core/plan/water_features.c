@@ -169,6 +169,11 @@ water_feature_set water_features_with_samples(water_feature_set features)
   return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_SAMPLES);
 }
 
+water_feature_set water_features_with_below_layer(water_feature_set features)
+{
+  return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_BELOW_LAYER);
+}
+
 water_feature_set water_features_on_hardware(water_feature_set features)
 {
   const bool is_traced = (features & WATER_FEATURE_RAY_TRACED) != 0;

@@ -60,7 +60,8 @@ extern "C"
   X(FOAM_DATA, "data give the foam cover")                                                         \
   X(SKY_VIEW, "what may be the sky has a view of its own")                                         \
   X(SHORE, "a user's mesh is cut at the shore while it is drawn")                                  \
-  X(OPEN, "open water: no ground is under it")
+  X(OPEN, "open water: no ground is under it")                                                     \
+  X(BELOW_LAYER, "the own view has a layer of translucent props")
 
 typedef enum water_feature_bit
 {
@@ -204,6 +205,10 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0,                                       \
     "the scene, refracted and attenuated")                                                         \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \
+  X(below, vtkWaterBelowLayerFS, WATER_FEATURE_FLAG(BELOW_LAYER), 0,                               \
+    "translucent props of the own view, apart from the rest")                                      \
+  X(below, vtkWaterNoBelowLayerFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(BELOW_LAYER),    \
+    "none")                                                                                        \
   X(shafts, vtkWaterShaftsFS, WATER_FEATURE_FLAG(CAUSTICS), 0,                                     \
     "the same, in the water in front of an eye in it")                                             \
   X(shafts, vtkWaterNoShaftsFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(CAUSTICS), "none")  \
@@ -392,6 +397,9 @@ water_feature_set water_features_with_shore(water_feature_set features);
 
 // Adds the feature that a window with several samples per pixel needs.
 water_feature_set water_features_with_samples(water_feature_set features);
+
+// Adds the feature of clear water whose own view keeps translucent props apart.
+water_feature_set water_features_with_below_layer(water_feature_set features);
 
 // Adds the feature of water in which hulls float.
 water_feature_set water_features_with_hulls(water_feature_set features);

@@ -142,15 +142,12 @@ float waterMediumLight(WaterPoint point, WaterMediumMet met, vec2 seen, vec3 dir
   return waterCaustic(met.isUnderBorder ? (2.0 * seen - 1.0) / waterSceneScale : ndc, w, -way * dir.z, point.ndc);
 }
 
-// Color of what a ray meets beyond a point of the surface, and the light that the water adds.
-vec3 waterTransmittedRay(WaterPoint point)
+// What a refracted ray sees with the translucent things on its way; of the slot below.
+vec3 waterThroughBelowLayer(WaterPoint point, vec3 dir, vec3 behind);
+
+// Color of the opaque surface that a refracted ray meets, and the light that the water adds.
+vec3 waterTransmittedOpaque(WaterPoint point, vec3 dir)
 {
-  waterMediumTop = point.height;
-  vec3 dir = refract(point.ray, point.normal, 1.0 / waterEta);
-  if (dir.z >= 0.0)
-  {
-    return waterDeepColor; // total reflection: it has no weight
-  }
   WaterMediumMet met = waterMediumMeet(point, dir);
   if (met.isNothing)
   {
@@ -185,6 +182,18 @@ vec3 waterTransmittedRay(WaterPoint point)
     from = mix(from, to, view.share);
   }
   return from;
+}
+
+// Color of what a ray meets beyond a point of the surface, and the light that the water adds.
+vec3 waterTransmittedRay(WaterPoint point)
+{
+  waterMediumTop = point.height;
+  vec3 dir = refract(point.ray, point.normal, 1.0 / waterEta);
+  if (dir.z >= 0.0)
+  {
+    return waterDeepColor; // total reflection: it has no weight
+  }
+  return waterThroughBelowLayer(point, dir, waterTransmittedOpaque(point, dir));
 }
 
 // Color of what lies beyond a point of the surface, and the light that the water adds; of the slot others.

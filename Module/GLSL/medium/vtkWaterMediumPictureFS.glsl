@@ -42,10 +42,7 @@ vec2 waterMediumPlace(vec2 ndc)
   return 0.5 + 0.5 * (waterSceneScale * ndc);
 }
 
-float waterMediumDepth(vec2 uv)
-{
-  return textureLod(waterSceneDepth, uv, 0.0).r;
-}
+float waterMediumDepth(vec2 uv); // of the slot below
 
 // Height of what the picture shows over the point of the surface that is looked through.
 float waterMediumHeight(vec2 uv, float depth)

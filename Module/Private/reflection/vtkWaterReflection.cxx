@@ -11,6 +11,18 @@
 #include <algorithm>
 #include <cstring>
 
+namespace
+{
+// What a view keeps apart of translucent props; nothing: null pointers.
+vtkWaterSurfaceShader::Layer LayerOf(vtkWaterMirroredView& view)
+{
+  vtkWaterTranslucentLayer* layer = view.GetLayer();
+  return layer
+    ? vtkWaterSurfaceShader::Layer{ layer->GetOpaque(), layer->GetColor(), layer->GetDepth() }
+    : vtkWaterSurfaceShader::Layer();
+}
+}
+
 //------------------------------------------------------------------------------
 vtkWaterReflection::UserSettings::UserSettings()
   : water_settings()
@@ -128,7 +140,8 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
   if (this->HasOwnView && view->Own && this->IsFresh(renderer, frame, water))
   {
     OtherView& own = *view->Own;
-    inputs.OwnView = { own.Drawn.GetColor(), own.Drawn.GetDepth(), own.DrawnPlan.reflection_scale };
+    inputs.OwnView = { own.Drawn.GetColor(), own.Drawn.GetDepth(), own.DrawnPlan.reflection_scale,
+      LayerOf(own.Drawn) };
   }
   if (this->HasSunView && view->Sun && this->IsFresh(renderer, frame, water))
   {
@@ -159,10 +172,7 @@ void vtkWaterReflection::FillInputs(
   }
   inputs.Reflection = mirrored.GetColor();
   inputs.ReflectionDepth = mirrored.GetDepth();
-  if (vtkWaterTranslucentLayer* layer = mirrored.GetLayer())
-  {
-    inputs.Translucent = { layer->GetOpaque(), layer->GetColor(), layer->GetDepth() };
-  }
+  inputs.Translucent = LayerOf(mirrored);
   if (vtkWaterPeel* peel = mirrored.GetPeel())
   {
     inputs.PeelColor = peel->GetColor();

@@ -252,6 +252,7 @@ private:
     const char* Without; // what the water shows then
     bool IsDirect;       // Choice
     bool IsDepth;        // Draft
+    bool HasLayer;       // what is translucent is kept apart
   };
   // Plans the view, revises the plan, and carries it out.
   vtkWaterError RenderOther(

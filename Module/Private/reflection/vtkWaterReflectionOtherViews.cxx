@@ -76,7 +76,8 @@ vtkWaterError vtkWaterReflection::RenderOwnView(const Frame& frame, Attempt& att
   this->Report.OwnViewDecision = WATER_NOT_PLANNED;
   View& view = *attempt.Drawn;
   const Other other = { view.Own, this->Report.OwnViewRenderCount, "own view of refraction",
-    "The water shows what the picture has of the scene below (RefractionSource).", true, false };
+    "The water shows what the picture has of the scene below (RefractionSource).", true, false,
+    true };
   if (frame.Primary || !WantOwnView(attempt))
   {
     ReleaseOther(view.Own, frame.Renderer->GetRenderWindow());
@@ -100,7 +101,7 @@ vtkWaterError vtkWaterReflection::RenderSunView(const Frame& frame, Attempt& att
 {
   View& view = *attempt.Drawn;
   const Other other = { view.Sun, this->Report.SunViewRenderCount, "sun view",
-    "Nothing casts shadows on the water (Shadows).", false, true };
+    "Nothing casts shadows on the water (Shadows).", false, true, false };
   const bool isWanted = !frame.Primary &&
     std::any_of(attempt.Waters.begin(), attempt.Waters.end(),
       [](const vtkWaterSnapshotPointer& water) { return water->WantsSunView(); });
@@ -122,7 +123,7 @@ vtkWaterError vtkWaterReflection::RenderSkyView(const Frame& frame, Attempt& att
 {
   View& view = *attempt.Drawn;
   const Other other = { view.Sky, this->Report.SkyViewRenderCount, "sky view",
-    "Rays that leave the reflection texture meet no dome.", true, false };
+    "Rays that leave the reflection texture meet no dome.", true, false, false };
   const bool isWanted = !frame.Primary && this->Plan.is_enclosed &&
     this->Gathered.Scene.has_waves && water_plan_has_reflection(&this->Plan);
   if (!isWanted)
@@ -193,6 +194,7 @@ bool vtkWaterReflection::ReviseOther(const Frame& frame, Attempt& part, const Ch
   vtkWaterMirroredView::Draft& draft = part.Draft;
   draft.Hook = frame.Hook;
   draft.IsDepth = other.IsDepth;
+  draft.HasMarchedRays = other.HasLayer && !this->Ranks.AreSeveral();
   // which triangles a pixel shows is known of cameras' own projections
   draft.CanCut = !other.IsDepth && (this->Settings.skips & WATER_MAY_SKIP_CLUSTERS) != 0;
   draft.Shadows = vtkWaterShadows::Find(frame.Renderer);

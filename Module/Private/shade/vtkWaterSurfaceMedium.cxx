@@ -77,8 +77,15 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   }
   const Beyond& own = this->Drawn.OwnView;
   const bool isOwn = this->HasOwnView();
-  this->Use("waterSceneColor", isOwn ? own.Color : this->Backdrop.GetColor());
+  const bool hasLayer = isOwn && own.Translucent.Color;
+  vtkTextureObject* ownColor = hasLayer ? own.Translucent.Opaque : own.Color;
+  this->Use("waterSceneColor", isOwn ? ownColor : this->Backdrop.GetColor());
   this->Use("waterSceneDepth", isOwn ? own.Depth : this->Backdrop.GetDepth());
+  if (hasLayer)
+  {
+    this->Use("waterBelowColor", own.Translucent.Color);
+    this->Use("waterBelowDepth", own.Translucent.Depth);
+  }
   std::fill_n(this->PictureScale, 2, 1.0);
   if (isOwn)
   {

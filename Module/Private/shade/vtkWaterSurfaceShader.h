@@ -50,6 +50,7 @@ public:
     vtkTextureObject* Color = nullptr;
     vtkTextureObject* Depth = nullptr;
     const double* PictureScale = nullptr; // part of it that the eye sees, per axis
+    Layer Translucent;                    // color nullptr: nothing is kept apart
   };
 
   // What keeps the sun off; depth nullptr: nothing does, or it is not known.
