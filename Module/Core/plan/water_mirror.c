@@ -222,6 +222,8 @@ water_status water_mirror_clip_clip(
   return WATER_OK;
 }
 
+static const double in_plane = 5e-7; // of the distance: four roundings of a float
+
 void water_mirror_clip_position(const double view_to_clip[16], const double clip_plane_clip[4],
   double position[4], double* constant)
 {
@@ -233,7 +235,7 @@ void water_mirror_clip_position(const double view_to_clip[16], const double clip
   {
     // z = z[2] w / w[2] + z[3]
     position[2] = 0.0;
-    position[3] += clip_plane_clip[2] * z[2] / w[2];
+    position[3] += clip_plane_clip[2] * z[2] / w[2] + in_plane;
     *constant = clip_plane_clip[2] * z[3];
   }
 }

@@ -90,7 +90,8 @@ water_status water_mirror_clip_clip(
 
 // The same for single precision: the height over the clip is dot(position, clip) + constant. A
 // perspective's z and w differ by little more than their rounding where the near plane is close,
-// and the clip would be found from that: z is left out there.
+// and the clip would be found from that: z is left out there. What lies in the plane is kept: a
+// perspective's clip is lower by as much of the distance as floats round.
 void water_mirror_clip_position(const double view_to_clip[16], const double clip_plane_clip[4],
   double position[4], double* constant);
 
