@@ -206,7 +206,25 @@ TEST(skys_light_is_smooth)
   }
 }
 
-TESTS(phases_are_of_all_backward_light, integral_is_closed_and_keeps_its_digits,
-  over_is_the_integral, over_has_its_limits, straight_down_is_the_deep_color,
-  daylight_falls_off_as_gordon_says, no_light_is_black, level_ways_are_as_photons_say,
-  skys_light_is_smooth)
+// An eye that comes into the water sees what it saw over it; a step deeper changes little.
+TEST(haze_begins_at_the_surface_and_grows_with_the_depth)
+{
+  ASSERT_CLOSE(water_haze_share(0.1, 0.0), 0.0, 0.0);
+  ASSERT_CLOSE(water_haze_share(0.1, -1.0), 0.0, 0.0);
+  ASSERT_CLOSE(water_haze_share(0.1, 0.5), 0.5, 1e-15);
+  ASSERT_CLOSE(water_haze_share(0.2, 0.25), 0.5, 1e-15); // of the optical depth
+  ASSERT_CLOSE(water_haze_share(0.1, 1.0), 1.0, 1e-15);
+  ASSERT_CLOSE(water_haze_share(0.1, 5.0), 1.0, 0.0);
+  double last = 0.0;
+  for (int step = 1; step <= 100; ++step)
+  {
+    const double share = water_haze_share(0.1, 0.01 * step);
+    assert_true(share > last && share - last < 0.016);
+    last = share;
+  }
+}
+
+TESTS(haze_begins_at_the_surface_and_grows_with_the_depth, phases_are_of_all_backward_light,
+  integral_is_closed_and_keeps_its_digits, over_is_the_integral, over_has_its_limits,
+  straight_down_is_the_deep_color, daylight_falls_off_as_gordon_says, no_light_is_black,
+  level_ways_are_as_photons_say, skys_light_is_smooth)

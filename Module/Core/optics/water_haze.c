@@ -139,6 +139,13 @@ void water_haze_find(const water_haze_input* input, water_haze* haze)
   }
 }
 
+double water_haze_share(double extinction, double depth)
+{
+  static const double all = 0.1; // optical depth
+  const double x = fmin(fmax(extinction * depth / all, 0.0), 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
 void water_haze_color(const water_haze* haze, const double extinction[3], const double dir[3],
   double depth, double way, double color[3])
 {

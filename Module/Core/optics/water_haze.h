@@ -45,6 +45,16 @@ typedef struct water_haze
 // Source: Gordon 1989 (as water_type_medium).
 void water_haze_find(const water_haze_input* input, water_haze* haze);
 
+// How much of the haze an eye has that has just come into the water: an eye over it sees one
+// colour, the deep colour, so all begins with that. The rest comes with the depth, until light is
+// weakened by a tenth over it.
+//
+// extinction  1/m, of green
+// depth       of the eye, m; 0: over the water
+//
+// Returns a number from 0 to 1.
+double water_haze_share(double extinction, double depth);
+
 // The smallest fall that the polynomial of the sky's light is for; use this for smaller ones.
 #define WATER_HAZE_FALL_MIN (-0.7)
 

@@ -2,7 +2,7 @@
 // vtkWaterHazeFS.glsl: slot haze: what the water between an eye in it and what it sees adds; water_haze.h for the shader.
 // Also of the fog (vtkWaterFogFS.glsl).
 
-uniform int waterHazeIsOne;         // 1: a colour that is set, in all directions and depths
+uniform float waterHazeShare;       // of it; the rest is the deep colour, in all directions
 uniform float waterHazeDepth;       // of the eye, 0 over the water
 uniform vec3 waterHazeDiffuse;      // as of water_haze
 uniform vec3 waterHazeSun;          // in the plane's axes: the third points to the eye's side
@@ -28,5 +28,5 @@ vec3 waterHaze(vec3 ray, float fall, float way)
     waterHazeOver(waterExtinction.g, waterHazeDiffuse.g, fall, waterHazeDepth, way),
     waterHazeOver(waterExtinction.b, waterHazeDiffuse.b, fall, waterHazeDepth, way));
   vec3 shown = vec3(waterEncoded(source.r), waterEncoded(source.g), waterEncoded(source.b));
-  return waterHazeIsOne != 0 ? waterDeepColor : shown;
+  return waterHazeShare > 0.0 ? mix(waterDeepColor, shown, waterHazeShare) : waterDeepColor;
 }

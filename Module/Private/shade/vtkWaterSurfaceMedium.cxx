@@ -125,8 +125,7 @@ void vtkWaterSurfaceShader::SetHazeParameters(vtkShaderProgram* program)
   namespace uniforms = vtkWaterUniforms;
   const vtkWaterLook& look = this->Water->Look;
   const water_plan& plan = *this->Drawn.Plan;
-  const bool isOne = look.HasDeepColor || !plan.is_submerged;
-  uniforms::Set(program, "waterHazeIsOne", isOne ? 1 : 0);
+  const double depth = plan.is_submerged ? plan.plane_view[3] : 0.0;
   const double up = plan.side == WATER_BELOW ? -1.0 : 1.0;
   water_haze_input input = water_haze_input();
   water_medium_reflectance(&look.Medium, input.deep);
@@ -141,10 +140,12 @@ void vtkWaterSurfaceShader::SetHazeParameters(vtkShaderProgram* program)
     input.sun_dir[i] = plan.has_sun ? plan.sun_dir[i] : 0.0;
   }
   input.sun_dir[2] *= up;
+  const double share = look.HasDeepColor ? 0.0 : water_haze_share(input.extinction[1], depth);
+  uniforms::Set(program, "waterHazeShare", share);
   water_haze haze;
   water_haze_find(&input, &haze);
   const double sunDir[3] = { haze.sun_dir[0], haze.sun_dir[1], up * haze.sun_dir[2] };
-  uniforms::Set(program, "waterHazeDepth", plan.is_submerged ? plan.plane_view[3] : 0.0);
+  uniforms::Set(program, "waterHazeDepth", depth);
   uniforms::Set3(program, "waterHazeDiffuse", haze.diffuse);
   uniforms::Set3(program, "waterHazeSun", sunDir);
   uniforms::Set3(program, "waterHazeOfParticles", haze.particles);
