@@ -116,7 +116,8 @@ class Scene:
 def test_runs_of_large_meshes_change_no_picture(has_waves, samples):
     """Whatever the eye, the mesh and its changes: the picture is that of the whole mesh, with fewer triangles."""
     largest, drawn, whole = 0, 0, 0
-    for seed in SEEDS if samples == 0 else SEEDS[::2]:  # several samples are of the same triangles
+    seeds = SEEDS if samples == 0 else SEEDS[:max(2, len(SEEDS) // 2)]  # several samples are of the same triangles
+    for seed in seeds:
         some = Scene(seed, Pass.SKIP_ALL, has_waves, samples)
         everything = Scene(seed, Pass.SKIP_ALL & ~Pass.PIECES, has_waves, samples)
         for (one, few), (other, many) in zip(some.frames(), everything.frames()):
