@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkWaterPropRecords.h"
+#include "vtkWaterProps.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
@@ -215,6 +216,12 @@ const char* vtkWaterReflection::CarryOutOther(
   const Frame& frame, Attempt& part, const Choice& choice, OtherView& own)
 {
   this->SortDrawn(frame, choice, part.Draft);
+  // on an H200, whose views are drawn in the middle of the main one, that showed a volume over the
+  // water after it had been drawn into a layer
+  const bool hasVolumes =
+    std::any_of(part.Draft.Others.begin(), part.Draft.Others.end(), vtkWaterProps::HoldsVolume);
+  part.Draft.HasMarchedRays =
+    part.Draft.HasMarchedRays && (this->Gathered.Scene.is_software || !hasVolumes);
   own.DrawnPlan = water_plan();
   if (part.Draft.Shadows)
   {
