@@ -415,7 +415,18 @@ TEST(plumb_lines_reach_to_where_they_vanish)
   }
 }
 
-TESTS(plumb_lines_reach_to_where_they_vanish, a_picture_larger_than_textures_has_none,
+TEST(layer_is_kept_unless_ranks_or_a_gpus_volumes_forbid_it)
+{
+  assert_true(water_beyond_keeps_layer(true, true, false));
+  assert_true(water_beyond_keeps_layer(true, false, false));
+  assert_true(water_beyond_keeps_layer(false, false, false));
+  assert_false(water_beyond_keeps_layer(false, true, false));
+  assert_false(water_beyond_keeps_layer(true, false, true));
+  assert_false(water_beyond_keeps_layer(false, false, true));
+}
+
+TESTS(layer_is_kept_unless_ranks_or_a_gpus_volumes_forbid_it,
+  plumb_lines_reach_to_where_they_vanish, a_picture_larger_than_textures_has_none,
   tiles_have_a_view_of_their_own, a_low_eye_looks_down_by_less_than_thirty_degrees,
   band_of_a_tile_is_that_of_the_picture, the_pictures_pixels_are_pixels_of_the_own_view,
   the_gpus_limit_narrows_the_band, what_lies_beyond_is_drawn,

@@ -10,18 +10,21 @@ PHOTONS = 6_000_000
 WAVES = ((0.03, 3.0, 165.0, 10.0), (0.012, 1.5, 215.0, 50.0))  # whose light pixels of the small picture resolve
 
 
-@pytest.mark.parametrize("depth, sun", ((1.0, 90.0), (1.0, 25.0), (3.0, 50.0), (8.0, 90.0)))
-def test_light_is_that_of_photons(depth, sun):
-    """On level beds of several depths, under high suns and low ones, the light is that of photons."""
-    scene = truth.Scene(WAVES, depth, sun, size=(160, 120), width=6.0)
+def check_light(scene, name):
     view, look = truth.view_of(scene)
     light = truth.shown(view, look)
     expected = truth.truth(scene, view, PHOTONS)
     mean, rmse = truth.errors(light, expected)
-    name = f"bed at {depth:g} m, sun at {sun:g} degrees"
     wt.check_at_least(f"{name}: contrast of the truth", float(expected.std()), 0.03)
     wt.check_at_most(f"{name}: error of the mean light", abs(mean), 0.02)
     wt.check_at_most(f"{name}: error over the mean", rmse, 0.10)
+
+
+@pytest.mark.parametrize("depth, sun", ((1.0, 90.0), (1.0, 25.0), (3.0, 50.0), (8.0, 90.0)))
+def test_light_is_that_of_photons(depth, sun):
+    """On level beds of several depths, under high suns and low ones, the light is that of photons."""
+    check_light(truth.Scene(WAVES, depth, sun, size=(160, 120), width=6.0),
+                f"bed at {depth:g} m, sun at {sun:g} degrees")
 
 
 @pytest.mark.parametrize("hardware", (False, True), ids=("software", "hardware"))
@@ -29,15 +32,8 @@ def test_light_is_that_of_photons(depth, sun):
 def test_an_eye_behind_a_dome_port_sees_the_light_of_photons(depth, sun, hardware, monkeypatch):
     """An eye close over the water that sees the bed through its dome port sees the same light as others."""
     monkeypatch.setenv("VTK_WATER_SOFTWARE", "0" if hardware else "1")
-    scene = truth.Scene(WAVES, depth, sun, size=(160, 120), width=2.5 * depth, eye=35.0, port=0.3)
-    view, look = truth.view_of(scene)
-    light = truth.shown(view, look)
-    expected = truth.truth(scene, view, PHOTONS)
-    mean, rmse = truth.errors(light, expected)
-    name = f"through a port, bed at {depth:g} m, sun at {sun:g} degrees"
-    wt.check_at_least(f"{name}: contrast of the truth", float(expected.std()), 0.03)
-    wt.check_at_most(f"{name}: error of the mean light", abs(mean), 0.02)
-    wt.check_at_most(f"{name}: error over the mean", rmse, 0.10)
+    check_light(truth.Scene(WAVES, depth, sun, size=(160, 120), width=2.5 * depth, eye=35.0, port=0.3),
+                f"through a port, bed at {depth:g} m, sun at {sun:g} degrees")
 
 
 @pytest.mark.parametrize("eye", (90.0, 45.0, 20.0))

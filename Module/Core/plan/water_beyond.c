@@ -59,6 +59,11 @@ water_prop water_beyond_prop(const water_prop* prop)
   return made;
 }
 
+bool water_beyond_keeps_layer(bool is_software, bool has_volumes, bool has_ranks)
+{
+  return !has_ranks && (is_software || !has_volumes);
+}
+
 void water_beyond_reach(const double dir_to_eye[12], double box[4])
 {
   // the plumb line's direction, away from the eye, in clip space: from an image p all plumb lines

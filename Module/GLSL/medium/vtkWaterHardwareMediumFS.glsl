@@ -16,8 +16,8 @@ vec2 waterMediumSize()
 }
 
 // Only beside the background, which may be much brighter, and what stands over the water: a look at more neighbours took
-// 4 % of a frame on an H200. In a multisampled picture all edges are
-// looked for: what filtering mixes beside them has no sample.
+// 4 % of a frame on an H200. In a multisampled picture all edges are looked for: what filtering mixes beside them has no
+// sample.
 bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth)
 {
   vec3 near = vec3(

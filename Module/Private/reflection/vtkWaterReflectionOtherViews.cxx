@@ -195,7 +195,7 @@ bool vtkWaterReflection::ReviseOther(const Frame& frame, Attempt& part, const Ch
   vtkWaterMirroredView::Draft& draft = part.Draft;
   draft.Hook = frame.Hook;
   draft.IsDepth = other.IsDepth;
-  draft.HasMarchedRays = other.HasLayer && !this->Ranks.AreSeveral();
+  draft.HasMarchedRays = other.HasLayer;
   // which triangles a pixel shows is known of cameras' own projections
   draft.CanCut = !other.IsDepth && (this->Settings.skips & WATER_MAY_SKIP_CLUSTERS) != 0;
   draft.Shadows = vtkWaterShadows::Find(frame.Renderer);
@@ -216,12 +216,11 @@ const char* vtkWaterReflection::CarryOutOther(
   const Frame& frame, Attempt& part, const Choice& choice, OtherView& own)
 {
   this->SortDrawn(frame, choice, part.Draft);
-  // on an H200, whose views are drawn in the middle of the main one, that showed a volume over the
-  // water after it had been drawn into a layer
   const bool hasVolumes =
     std::any_of(part.Draft.Others.begin(), part.Draft.Others.end(), vtkWaterProps::HoldsVolume);
-  part.Draft.HasMarchedRays =
-    part.Draft.HasMarchedRays && (this->Gathered.Scene.is_software || !hasVolumes);
+  part.Draft.HasMarchedRays = part.Draft.HasMarchedRays &&
+    water_beyond_keeps_layer(
+      this->Gathered.Scene.is_software, hasVolumes, this->Ranks.AreSeveral());
   own.DrawnPlan = water_plan();
   if (part.Draft.Shadows)
   {

@@ -142,8 +142,11 @@ void vtkWaterSurfaceShader::SetHazeParameters(vtkShaderProgram* program)
   input.sun_dir[2] *= up;
   const double share = look.HasDeepColor ? 0.0 : water_haze_share(input.extinction[1], depth);
   uniforms::Set(program, "waterHazeShare", share);
-  water_haze haze;
-  water_haze_find(&input, &haze);
+  water_haze haze = water_haze();
+  if (share > 0.0) // else the deep colour is all
+  {
+    water_haze_find(&input, &haze);
+  }
   const double sunDir[3] = { haze.sun_dir[0], haze.sun_dir[1], up * haze.sun_dir[2] };
   uniforms::Set(program, "waterHazeDepth", depth);
   uniforms::Set3(program, "waterHazeDiffuse", haze.diffuse);
