@@ -34,23 +34,34 @@ bool vtkWaterSampleSpread::Ensure(vtkOpenGLRenderWindow* window, const Picture& 
 {
   const auto width = static_cast<unsigned int>(picture.Rect[2]);
   const auto height = static_cast<unsigned int>(picture.Rect[3]);
-  if (this->Seen && this->Seen->GetContext() == window && this->Seen->GetWidth() == width &&
-    this->Seen->GetHeight() == height)
+  if (this->Seen && this->Plane && this->Seen->GetContext() == window &&
+    this->Seen->GetWidth() == width && this->Seen->GetHeight() == height)
   {
     return true;
   }
   this->ReleaseGraphicsResources(nullptr);
-  this->Seen = vtkSmartPointer<vtkTextureObject>::New();
-  this->Seen->SetContext(window);
-  this->Seen->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Seen->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->Seen->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Seen->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->Seen = this->MakeTexture(window, picture);
+  this->Plane = this->MakeTexture(window, picture);
   this->SeenFramebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
   this->SeenFramebuffer->SetContext(window);
   this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
   this->Framebuffer->SetContext(window);
-  return this->Seen->Allocate2D(width, height, 4, VTK_FLOAT);
+  return this->Seen && this->Plane;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTextureObject> vtkWaterSampleSpread::MakeTexture(
+  vtkOpenGLRenderWindow* window, const Picture& picture)
+{
+  auto made = vtkSmartPointer<vtkTextureObject>::New();
+  made->SetContext(window);
+  made->SetMinificationFilter(vtkTextureObject::Nearest);
+  made->SetMagnificationFilter(vtkTextureObject::Nearest);
+  made->SetWrapS(vtkTextureObject::ClampToEdge);
+  made->SetWrapT(vtkTextureObject::ClampToEdge);
+  const bool isMade = made->Allocate2D(static_cast<unsigned int>(picture.Rect[2]),
+    static_cast<unsigned int>(picture.Rect[3]), 4, VTK_FLOAT);
+  return isMade ? made : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -82,7 +93,8 @@ bool vtkWaterSampleSpread::DrawSeen(vtkOpenGLRenderWindow* window, const Picture
 {
   this->SeenFramebuffer->Bind();
   this->SeenFramebuffer->AddColorAttachment(0, this->Seen);
-  this->SeenFramebuffer->ActivateDrawBuffer(0);
+  this->SeenFramebuffer->AddColorAttachment(1, this->Plane);
+  this->SeenFramebuffer->ActivateDrawBuffers(2);
   vtkShaderProgram* program = vtkWaterFramebuffers::IsComplete()
     ? this->SeenQuad.Ready(window, this->SeenSource.c_str())
     : nullptr;
@@ -125,11 +137,16 @@ bool vtkWaterSampleSpread::DrawSpread(vtkOpenGLRenderWindow* window, const Pictu
     window->GetState()->vtkglActiveTexture(GL_TEXTURE2);
     this->Seen->Bind();
     vtkWaterUniforms::Set(program, "waterSampleSeen", 2);
+    window->GetState()->vtkglActiveTexture(GL_TEXTURE3);
+    this->Plane->Bind();
+    vtkWaterUniforms::Set(program, "waterSamplePlane", 3);
     SetRect(program, "waterSampleRect", picture.Rect);
     SetRect(program, "waterSamplePart", picture.Part);
     program->SetUniform2fv("waterSamplePlaces", picture.Samples, places);
     program->SetUniform1iv("waterSampleNumbers", side * side, numbers);
     this->Quad.Draw();
+    glBindTexture(GL_TEXTURE_2D, 0);
+    window->GetState()->vtkglActiveTexture(GL_TEXTURE2);
     glBindTexture(GL_TEXTURE_2D, 0);
   }
   return program != nullptr;
@@ -177,12 +194,16 @@ void vtkWaterSampleSpread::ReleaseGraphicsResources(vtkWindow* window)
       framebuffer->ReleaseGraphicsResources(window);
     }
   }
-  if (this->Seen && window)
+  for (vtkTextureObject* texture : { this->Seen.Get(), this->Plane.Get() })
   {
-    this->Seen->ReleaseGraphicsResources(window);
+    if (texture && window)
+    {
+      texture->ReleaseGraphicsResources(window);
+    }
   }
   // without a window the destructors free what is left, through VTK's resource callbacks
   this->SeenFramebuffer = nullptr;
   this->Framebuffer = nullptr;
   this->Seen = nullptr;
+  this->Plane = nullptr;
 }

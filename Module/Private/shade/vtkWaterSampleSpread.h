@@ -53,7 +53,11 @@ private:
   bool DrawSpread(vtkOpenGLRenderWindow* window, const Picture& picture, const float places[][2],
     int side, vtkTextureObject* color, vtkTextureObject* depth);
 
+  vtkSmartPointer<vtkTextureObject> MakeTexture(
+    vtkOpenGLRenderWindow* window, const Picture& picture);
+
   vtkSmartPointer<vtkTextureObject> Seen;
+  vtkSmartPointer<vtkTextureObject> Plane; // of the depth in each pixel
   vtkSmartPointer<vtkOpenGLFramebufferObject> SeenFramebuffer;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkWaterQuad SeenQuad;
