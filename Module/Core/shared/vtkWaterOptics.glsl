@@ -12,18 +12,11 @@ float waterFresnel(float cosine, float eta)
   // eta^2 times the squared cosine of the refracted ray (Snell); (eta - 1)(eta + 1) keeps its digits
   // for an eta near 1
   float g2 = (eta - 1.0) * (eta + 1.0) + c * c;
-  if (g2 < 0.0)
-  {
-    return 1.0;
-  }
-  float g = sqrt(g2);
-  if (c + g <= 0.0)
-  {
-    return 0.0; // no surface at all, eta = 1, along itself
-  }
-  float s = (c - g) / (c + g);
-  float p = (eta * eta * c - g) / (eta * eta * c + g);
-  return 0.5 * (s * s + p * p);
+  float g = sqrt(max(g2, 0.0));
+  // 0 / 0 is 0: there is no surface at all, eta = 1, along itself
+  float s = (c - g) / max(c + g, 1e-30);
+  float p = (eta * eta * c - g) / max(eta * eta * c + g, 1e-30);
+  return g2 < 0.0 ? 1.0 : 0.5 * (s * s + p * p);
 }
 
 // The same by Schlick's approximation. From the denser side the angle is that of the refracted ray,

@@ -20,8 +20,9 @@ float waterFacetReflectance(WaterPoint point, vec3 normal)
 struct WaterFacet
 {
   WaterRayHit hit;
-  float nearest; // waterNearest of its ray
-  float share;   // of the light
+  float perDepth; // waterPerDepth of its ray
+  float nearest;  // waterNearest
+  float share;    // of the light
 };
 
 // aimed  the normal for its ray
@@ -35,6 +36,7 @@ WaterFacet waterAimFacet(WaterPoint point, vec3 normal, vec3 aimed, float depth,
   dir.z = max(abs(dir.z), 1e-6);
   facet.hit = waterAim(point.start, point.startW, dir);
   facet.hit.color = waterSky(dir);
+  facet.perDepth = waterPerDepth(facet.hit.line);
   facet.nearest = waterNearest;
   facet.hit.depthStart = waterFacetDepth(point.start.xy, depth, facet.nearest);
   facet.hit.depth = facet.hit.depthStart;
@@ -43,7 +45,7 @@ WaterFacet waterAimFacet(WaterPoint point, vec3 normal, vec3 aimed, float depth,
 
 void waterStepFacet(vec3 start, inout WaterFacet facet)
 {
-  facet.hit.s = waterPlaceOnRay(start, waterPerDepth(facet.hit.line), facet.hit.depth);
+  facet.hit.s = waterPlaceOnRay(start, facet.perDepth, facet.hit.depth);
   facet.hit.uv = start.xy + facet.hit.s * facet.hit.line.xy;
 }
 
@@ -54,19 +56,20 @@ int waterFacetProbes(vec3 start, WaterFacet facet)
     ? waterProbesOf(facet.hit, min(waterProbes, WATER_FACET_PROBES)) : 0;
 }
 
-vec3 waterReadFacetProbes(vec3 start, int probes, WaterFacet facet)
+// Takes its place where a probe has found something, about where that is.
+void waterProbeFacet(vec3 start, int probes, inout WaterFacet facet)
 {
+  ivec3 probe = min(ivec3(1, 2, 3), probes);
+  float part = facet.hit.s / float(probes + 1);
   waterNearest = facet.nearest;
-  return waterReadProbes(
-    start, facet.hit.line, facet.hit.s / float(probes + 1), min(ivec3(1, 2, 3), probes));
-}
-
-void waterTestFacet(vec3 start, vec3 depths, int probes, inout WaterFacet facet)
-{
+  vec3 depths = waterReadProbes(start, facet.hit.line, part, probe);
   WaterProbed probed = WaterProbed(true, facet.hit.depthStart, facet.hit.depth);
-  waterTestProbes(depths, start, facet.hit.line, facet.hit.s / float(probes + 1), 1, probes, probed);
-  facet.hit.near = probed.near;
-  waterTakeNear(start, facet.hit);
+  waterTestProbes(depths, start, facet.hit.line, part, probe, probed);
+  if (probed.near < facet.hit.depth)
+  {
+    facet.hit.uv = start.xy + clamp((probed.near - start.z) * facet.perDepth, 0.0, 1.0) * facet.hit.line.xy;
+    facet.hit.isPlace = true;
+  }
 }
 
 // A facet, from its first steps to its place.
@@ -80,7 +83,7 @@ void waterTraceFacet(vec3 start, inout WaterFacet facet)
   int probes = waterFacetProbes(start, facet);
   if (probes > 0)
   {
-    waterTestFacet(start, waterReadFacetProbes(start, probes, facet), probes, facet);
+    waterProbeFacet(start, probes, facet);
   }
 }
 
@@ -117,7 +120,11 @@ vec3 waterSeveralFacets(WaterPoint point, vec2 azimuth, float variance, int coun
   for (int i = 0; i < count; ++i)
   {
     vec3 normal = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i, count) * slopes.y);
-    vec3 aimed = waterFacetNormal(point, azimuth, slopes.x + waterFacetAim(i, count, waterRay) * slopes.y);
+    vec3 aimed = normal;
+    if (waterRay > 0)
+    {
+      aimed = waterFacetNormal(point, azimuth, slopes.x + waterFacetAim(i, count, waterRay) * slopes.y);
+    }
     WaterFacet facet = waterAimFacet(point, normal, aimed, depth, share);
     reflectance += facet.share;
     waterTraceFacet(point.start, facet);

@@ -54,22 +54,20 @@ struct WaterProbed
   float near;        // depth of what they found
 };
 
-// Tests a probe, in their order.
-void waterTestProbe(float depth, vec3 start, vec3 way, float part, int probe, int probes, inout WaterProbed probed)
+// Tests three probes, in their order. Those beyond the last one are at the last, and find no more than that.
+void waterTestProbes(vec3 depths, vec3 start, vec3 way, float part, ivec3 probe, inout WaterProbed probed)
 {
-  float rayDepth = min(start.z + part * float(probe) * way.z, 1.0);
-  bool isWanted = probed.isFree && probe <= probes;
-  bool isFree = rayDepth <= depth && !waterMayPassBehind(probed.depthBefore, depth, rayDepth);
-  probed.isFree = probed.isFree && (isFree || !isWanted);
-  probed.near = isWanted && !isFree ? depth : probed.near;
-  probed.depthBefore = isWanted ? depth : probed.depthBefore;
-}
-
-void waterTestProbes(vec3 depths, vec3 start, vec3 way, float part, int first, int probes, inout WaterProbed probed)
-{
-  waterTestProbe(depths.x, start, way, part, first, probes, probed);
-  waterTestProbe(depths.y, start, way, part, first + 1, probes, probed);
-  waterTestProbe(depths.z, start, way, part, first + 2, probes, probed);
+  vec3 rayDepth = min(start.z + part * vec3(probe) * way.z, 1.0);
+  vec3 before = vec3(probed.depthBefore, depths.xy);
+  vec3 slack = vec3(waterSlackAt(before.x), waterSlackAt(before.y), waterSlackAt(before.z));
+  // as waterMayPassBehind
+  vec3 passed = min(depths - (before + slack), rayDepth - (before - slack));
+  bvec3 isMet = greaterThan(max(rayDepth - depths, passed), vec3(0.0));
+  float near = isMet.x ? depths.x : (isMet.y ? depths.y : depths.z);
+  bool isFirst = probed.isFree && any(isMet);
+  probed.near = isFirst ? near : probed.near;
+  probed.isFree = probed.isFree && !isFirst;
+  probed.depthBefore = depths.z;
 }
 
 // Probes an estimate that has converged, three and three at once.
@@ -80,17 +78,18 @@ void waterProbe(vec3 start, int most, inout WaterRayHit hit, inout WaterProbed p
   for (int first = 1; first <= probes && probed.isFree; first += 6)
   {
     ivec3 probe = min(first + ivec3(0, 1, 2), probes);
+    ivec3 next = min(probe + 3, probes);
     vec3 depths = waterReadProbes(start, hit.line, part, probe);
     vec3 more = depths;
     bool areMore = first + 3 <= probes;
     if (areMore)
     {
-      more = waterReadProbes(start, hit.line, part, min(probe + 3, probes));
+      more = waterReadProbes(start, hit.line, part, next);
     }
-    waterTestProbes(depths, start, hit.line, part, first, probes, probed);
+    waterTestProbes(depths, start, hit.line, part, probe, probed);
     if (areMore)
     {
-      waterTestProbes(more, start, hit.line, part, first + 3, probes, probed);
+      waterTestProbes(more, start, hit.line, part, next, probed);
     }
   }
 }
