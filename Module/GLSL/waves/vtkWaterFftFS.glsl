@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterFftFS.glsl: a pass of one or two Fourier transforms along the rows or columns of a square (water_fft.h), and
-// for the first the squares of what comes out, which the last pass is asked for.
+// vtkWaterFftFS.glsl: a pass of one or two Fourier transforms along the rows or columns of squares that lie one above the
+// other (water_fft.h), and for the first the squares of what comes out, which the last pass is asked for.
 //VTK::Output::Dec
 
 in vec2 texCoord;
@@ -20,8 +20,11 @@ void main()
 {
   ivec2 place = ivec2(texCoord * vec2(textureSize(waterField, 0)));
   ivec2 along = waterFftPass.w < 0.5 ? ivec2(1, 0) : ivec2(0, 1);
-  ivec2 line = place * (1 - along);
-  vec4 entry = texelFetch(waterFftTable, ivec2(place.x * along.x + place.y * along.y, int(waterFftPass.z)), 0);
+  int size = textureSize(waterField, 0).x;
+  int top = place.y / size * size; // of the square
+  ivec2 line = along.x > 0 ? ivec2(0, place.y) : ivec2(place.x, top);
+  int onLine = along.x > 0 ? place.x : place.y - top;
+  vec4 entry = texelFetch(waterFftTable, ivec2(onLine, int(waterFftPass.z)), 0);
   int radix = int(waterFftPass.x);
   int next = int(waterFftPass.y);
   int at = int(entry.z) + radix * next;

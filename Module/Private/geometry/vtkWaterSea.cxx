@@ -21,7 +21,7 @@ void vtkWaterSea::Update(const water_cascades& cascades, const water_sea& sea, d
   {
     if (this->Tiles[i].Update(cascades.tiles[i], sea, time))
     {
-      this->Passes[i].Forget();
+      this->Passes.Forget();
       isOther = true;
     }
   }
@@ -112,16 +112,16 @@ bool vtkWaterSea::DrawTexture(vtkOpenGLRenderWindow* window, int fields)
   const bool areSlopesAlone = fields <= vtkWaterSlopePasses::BENDS; // without bends and moves
   this->Texture.Allocate(
     window, size, size, static_cast<unsigned int>(fields) * count, areSlopesAlone);
+  vtkWaterSlopePasses::Inputs inputs = { {}, this->Time };
   for (unsigned int i = 0; i < count; ++i)
   {
     const vtkWaterSeaTile& tile = this->Tiles[i];
-    this->Detour = this->Passes[i].Draw(window,
-      { tile.GetTile(), tile.GetAmplitudes(), tile.GetFrequencies(), this->Time }, fields,
-      this->Texture, i, count);
-    if (this->Detour)
-    {
-      return false;
-    }
+    inputs.Tiles.push_back({ &tile.GetTile(), &tile.GetAmplitudes(), &tile.GetFrequencies() });
+  }
+  this->Detour = this->Passes.Draw(window, inputs, fields, this->Texture);
+  if (this->Detour)
+  {
+    return false;
   }
   this->Texture.MakeMipLevels();
   return true;
@@ -226,10 +226,7 @@ vtkTextureObject* vtkWaterSea::UploadFlat(vtkOpenGLRenderWindow* window, int fie
 void vtkWaterSea::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->AskedWindow = nullptr;
-  for (vtkWaterSlopePasses& passes : this->Passes)
-  {
-    passes.ReleaseGraphicsResources(window);
-  }
+  this->Passes.ReleaseGraphicsResources(window);
   this->OldFoam.ReleaseGraphicsResources(window);
   this->Texture.ReleaseGraphicsResources(window);
 }

@@ -70,7 +70,7 @@ private:
   water_cascades Cascades = water_cascades();
   double Time = 0.0;
   vtkWaterSeaTile Tiles[WATER_CASCADES_MAX];
-  vtkWaterSlopePasses Passes[WATER_CASCADES_MAX];
+  vtkWaterSlopePasses Passes;
   water_cascade_fields Fields[WATER_CASCADES_MAX] = {};
   std::vector<float> Texels;
   int UploadedFields = 0; // 0: nothing is uploaded

@@ -65,8 +65,27 @@ vtkWaterSlopePasses::vtkWaterSlopePasses() = default;
 vtkWaterSlopePasses::~vtkWaterSlopePasses() = default;
 
 //------------------------------------------------------------------------------
-const char* vtkWaterSlopePasses::Draw(vtkOpenGLRenderWindow* window, const Inputs& sea, int fields,
-  vtkWaterSlopeTexture& texture, unsigned int first, unsigned int step)
+const char* vtkWaterSlopePasses::FindUnits(const Inputs& sea)
+{
+  for (size_t i = 0; i < sea.Tiles.size(); ++i)
+  {
+    const Tile& tile = sea.Tiles[i];
+    const double largest = *std::max_element(tile.Frequencies->begin(), tile.Frequencies->end());
+    this->Exponents[i] = water_turns_exponent(largest);
+    uint32_t units[2];
+    if (!water_turns_time(water_tile_clock(tile.Shape, sea.Time), this->Exponents[i], units))
+    {
+      return "the time is too large for the phases of a GPU";
+    }
+    this->Units[2 * i] = static_cast<int>(units[0]);
+    this->Units[2 * i + 1] = static_cast<int>(units[1]);
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterSlopePasses::Draw(
+  vtkOpenGLRenderWindow* window, const Inputs& sea, int fields, vtkWaterSlopeTexture& texture)
 {
   if (window == this->RefusedBy)
   {
@@ -77,21 +96,25 @@ const char* vtkWaterSlopePasses::Draw(vtkOpenGLRenderWindow* window, const Input
     return "a query counts what is drawn";
   }
   water_fft plan;
-  if (!water_fft_plan(sea.Tile.size, &plan))
+  const size_t size = sea.Tiles.front().Shape->size;
+  const size_t count = sea.Tiles.size();
+  if (!water_fft_plan(size, &plan))
   {
     return "the tile's size has a prime factor that is too large for a pass";
   }
-  const double largest = *std::max_element(sea.Frequencies.begin(), sea.Frequencies.end());
-  this->Exponent = water_turns_exponent(largest);
-  uint32_t units[2];
-  if (!water_turns_time(water_tile_clock(&sea.Tile, sea.Time), this->Exponent, units))
+  if (const char* reason = this->FindUnits(sea))
   {
-    return "the time is too large for the phases of a GPU";
+    return reason;
   }
-  if (plan.size != this->Plan.size)
+  if (size != this->Plan.size || count != this->Count)
   {
+    if (size * count > static_cast<size_t>(vtkTextureObject::GetMaximumTextureSize(window)))
+    {
+      return "the tiles are larger than a texture can be";
+    }
     this->ReleaseGraphicsResources(nullptr);
     this->Plan = plan;
+    this->Count = count;
   }
   vtkOpenGLState* state = window->GetState();
   const vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
@@ -100,12 +123,13 @@ const char* vtkWaterSlopePasses::Draw(vtkOpenGLRenderWindow* window, const Input
   for (int i = 0; i < fields && isDrawn; ++i)
   {
     vtkWaterScopedPlainDraws plain(state);
-    const int size_px[2] = { static_cast<int>(plan.size), static_cast<int>(plan.size) };
+    const int size_px[2] = { static_cast<int>(size), static_cast<int>(size * count) };
     plain.SetSize(size_px);
-    isDrawn = this->DrawSpectrum(window, units, sea.Time, i) && this->Transform(window, i);
-    if (isDrawn) // the last target is bound
+    isDrawn = this->DrawSpectrum(window, sea.Time, i) && this->Transform(window, i);
+    for (size_t tile = 0; tile < count && isDrawn; ++tile) // the last target is bound
     {
-      texture.CopyLayer(first + static_cast<unsigned int>(i) * step);
+      texture.CopyLayer(static_cast<unsigned int>(static_cast<size_t>(i) * count + tile),
+        static_cast<unsigned int>(tile * size));
     }
   }
   state->PopFramebufferBindings();
@@ -147,7 +171,8 @@ bool vtkWaterSlopePasses::MakeTarget(vtkOpenGLRenderWindow* window, int componen
 {
   const auto size = static_cast<unsigned int>(this->Plan.size);
   target.Texture = MakeTexture(window);
-  if (!target.Texture->Allocate2D(size, size, components, VTK_FLOAT))
+  if (!target.Texture->Allocate2D(
+        size, size * static_cast<unsigned int>(this->Count), components, VTK_FLOAT))
   {
     return false;
   }
@@ -190,24 +215,31 @@ void vtkWaterSlopePasses::UploadTable(vtkOpenGLRenderWindow* window)
 void vtkWaterSlopePasses::UploadFrequencies(vtkOpenGLRenderWindow* window, const Inputs& sea)
 {
   const auto size = static_cast<unsigned int>(this->Plan.size);
-  std::vector<uint32_t> words(kWordsPerTexel * sea.Frequencies.size(), 0);
-  for (size_t i = 0; i < sea.Frequencies.size(); ++i)
+  const size_t quadrant = this->Plan.size / 2 * (this->Plan.size / 2);
+  std::vector<uint32_t> words(kWordsPerTexel * quadrant * this->Count, 0);
+  uint32_t* word = words.data();
+  for (size_t tile = 0; tile < this->Count; ++tile)
   {
-    water_turns_frequency(sea.Frequencies[i], this->Exponent, words.data() + kWordsPerTexel * i);
+    for (double frequency : *sea.Tiles[tile].Frequencies)
+    {
+      water_turns_frequency(frequency, this->Exponents[tile], word);
+      word += kWordsPerTexel;
+    }
   }
   this->Frequencies = MakeTexture(window);
   this->Frequencies->SetInternalFormat(GL_RGBA32UI);
   this->Frequencies->SetFormat(GL_RGBA_INTEGER);
   this->Frequencies->SetDataType(GL_UNSIGNED_INT);
-  this->Frequencies->Create2DFromRaw(
-    size / 2, size / 2, static_cast<int>(kWordsPerTexel), VTK_UNSIGNED_INT, words.data());
+  this->Frequencies->Create2DFromRaw(size / 2, size / 2 * static_cast<unsigned int>(this->Count),
+    static_cast<int>(kWordsPerTexel), VTK_UNSIGNED_INT, words.data());
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterSlopePasses::UploadWaves(vtkOpenGLRenderWindow* window, const Inputs& sea, int fields)
 {
   const auto size = static_cast<unsigned int>(this->Plan.size);
-  std::vector<float> waves(4 * this->Plan.size * this->Plan.size);
+  const size_t numbers = 4 * this->Plan.size * this->Plan.size; // of a tile
+  std::vector<float> waves(numbers * this->Count);
   for (int i = 0; i < 2; ++i)
   {
     if (i > 0 && kPairs[fields][i] == kPairs[fields][0])
@@ -215,15 +247,19 @@ void vtkWaterSlopePasses::UploadWaves(vtkOpenGLRenderWindow* window, const Input
       this->Waves[fields][i] = this->Waves[fields][0];
       continue;
     }
-    water_tile_pair_waves(&sea.Tile, sea.Amplitudes.data(), kPairs[fields][i], waves.data());
+    for (size_t tile = 0; tile < this->Count; ++tile)
+    {
+      water_tile_pair_waves(sea.Tiles[tile].Shape, sea.Tiles[tile].Amplitudes->data(),
+        kPairs[fields][i], waves.data() + tile * numbers);
+    }
     this->Waves[fields][i] = MakeTexture(window);
-    this->Waves[fields][i]->Create2DFromRaw(size, size, 4, VTK_FLOAT, waves.data());
+    this->Waves[fields][i]->Create2DFromRaw(
+      size, size * static_cast<unsigned int>(this->Count), 4, VTK_FLOAT, waves.data());
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSlopePasses::DrawSpectrum(
-  vtkOpenGLRenderWindow* window, const uint32_t units[2], double time, int fields)
+bool vtkWaterSlopePasses::DrawSpectrum(vtkOpenGLRenderWindow* window, double time, int fields)
 {
   vtkShaderProgram* program = this->Spectrum.Ready(window, vtkWaterSeaSpectrumFS);
   if (!program)
@@ -236,8 +272,7 @@ bool vtkWaterSlopePasses::DrawSpectrum(
   vtkWaterUniforms::Set(program, "waterOtherWaves", waves[1]);
   vtkWaterUniforms::Set(program, "waterFrequencies", this->Frequencies);
   vtkWaterUniforms::Set(program, "waterTimeSign", time < 0.0 ? -1.0 : 1.0);
-  const int bits[2] = { static_cast<int>(units[0]), static_cast<int>(units[1]) };
-  program->SetUniform2i("waterUnits", bits);
+  program->SetUniform1iv("waterUnits", 2 * WATER_CASCADES_MAX, this->Units);
   vtkWaterUniforms::Set(program, "waterPairs", fields == SLOPES ? 1 : 2);
   this->Targets[fields == SLOPES ? 0 : 1][0].Framebuffer->Bind();
   this->Spectrum.Draw();

@@ -102,11 +102,11 @@ void vtkWaterSlopeTexture::Allocate(vtkOpenGLRenderWindow* window, unsigned int 
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSlopeTexture::CopyLayer(unsigned int layer)
+void vtkWaterSlopeTexture::CopyLayer(unsigned int layer, unsigned int row)
 {
   this->Texture->Activate();
-  glCopyTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(layer), 0, 0,
-    static_cast<GLsizei>(this->Texture->GetWidth()),
+  glCopyTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(layer), 0,
+    static_cast<GLint>(row), static_cast<GLsizei>(this->Texture->GetWidth()),
     static_cast<GLsizei>(this->Texture->GetHeight()));
   this->Texture->Deactivate();
 }

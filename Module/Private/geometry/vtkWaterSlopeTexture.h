@@ -31,8 +31,8 @@ public:
   //         Places would be too coarse.
   void Allocate(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
     unsigned int layers, bool isHalf);
-  // One of them, from a framebuffer that is bound for reading.
-  void CopyLayer(unsigned int layer);
+  // One of them, from a framebuffer that is bound for reading, from that row on.
+  void CopyLayer(unsigned int layer, unsigned int row);
   // Of all of them, when each is there.
   void MakeMipLevels();
 
