@@ -4,7 +4,9 @@
 // whether a surface goes on is told from one place, not from three.
 
 const float WATER_MEDIUM_STEP_PX = 1.0;  // least length of a step
-const float WATER_MEDIUM_SLACK_PX = 1.0; // depths are those of pixels' middles
+// Up to so many times as steep as on the whole way a bed is one surface. Of less, far beds are marched for nothing; of
+// 6, rays go through silhouettes under water.
+const float WATER_MEDIUM_SLACK_PX = 2.5;
 // A ray that has come to a surface since it was last in front is behind it by the depth that it went meanwhile, or a
 // little more. Behind a silhouette it is further.
 const float WATER_MEDIUM_JUMP = 1.3;
