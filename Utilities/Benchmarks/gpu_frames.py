@@ -17,6 +17,7 @@ it into the report. Exit status 1: a limit was exceeded; those of a quick run ar
     effect_scenes each effect of a water, on and off; also those of script/benchmark
     gpu_rounds    frames that take turns
     gpu_clock     the GPU's own time
+    gpu_rates     how much the GPU can draw
     gpu_limits    what is allowed
 """
 
@@ -35,6 +36,7 @@ import effect_scenes  # noqa: E402  after their paths
 import gpu_data  # noqa: E402
 import gpu_kinds  # noqa: E402
 import gpu_limits  # noqa: E402
+import gpu_rates  # noqa: E402
 import gpu_rounds  # noqa: E402
 import gpu_scenes  # noqa: E402
 import machine  # noqa: E402
@@ -231,7 +233,9 @@ def main():
     arguments = arguments_of()
     arguments.folder = pathlib.Path(arguments.folder)
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    found = machine.describe()
+    small = wt.View(gpu_scenes.QUICK_SIZE)
+    small.window.Render()
+    found = {**machine.describe(), "draws": gpu_rates.text_of(gpu_rates.measure(small.window))}
     print(*(f"{name}: {value}" for name, value in found.items()), sep="\n", flush=True)
     scenes, rows, limits = gpu_scenes.scenes(arguments.quick), [], []
     texts = {name: scene.text for name, scene in scenes.items()} | {EFFECTS: EFFECTS_TEXT}
