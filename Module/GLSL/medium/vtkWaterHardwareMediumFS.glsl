@@ -131,6 +131,19 @@ WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
   return found;
 }
 
+// Is it one surface that a ray is in front of at low and behind at high? On the whole the ray comes to a bed as fast as to
+// what is straight behind the water, and is not far behind that.
+//
+// depth   straight behind the water
+// pixels  of all of the way
+bool waterMediumIsSurface(vec3 start, vec3 way, float depth, float pixels, WaterMediumHit found)
+{
+  float rate = depth < 1.0 ? max((depth - start.z) / max(found.high, 1e-20), way.z) : way.z;
+  float wide = max(found.high - found.low, 1.0 / max(pixels, 1e-6));
+  return found.depthHigh >= waterMediumLevel(start, way, found.high) &&
+    found.depthLow - found.depthHigh <= WATER_MEDIUM_SLACK_PX * rate * wide;
+}
+
 WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
 {
   float last = waterMediumDepth(start.xy + reach * way.xy);
@@ -139,15 +152,13 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
   bool isFound = start.z <= depth;
   if (isFound && start.z + reach * way.z > last)
   {
-    if (!waterMediumConverge(start, way, pixels, found))
+    bool isConverged = waterMediumConverge(start, way, pixels, found);
+    isFound = waterMediumIsSurface(start, way, depth, pixels, found);
+    if (isFound && !isConverged)
     {
       waterMediumHalve(start, way, found);
+      isFound = waterMediumIsSurface(start, way, depth, pixels, found);
     }
-    // on the whole it comes to a bed as fast as to what is straight behind the surface, and is not far behind that
-    float rate = depth < 1.0 ? max((depth - start.z) / max(found.high, 1e-20), way.z) : way.z;
-    float wide = max(found.high - found.low, 1.0 / max(pixels, 1e-6));
-    isFound = found.depthHigh >= waterMediumLevel(start, way, found.high) &&
-      found.depthLow - found.depthHigh <= WATER_MEDIUM_SLACK_PX * rate * wide;
   }
   else
   {

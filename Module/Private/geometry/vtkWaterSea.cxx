@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
+#include "vtkWaterGL.h"
 #include "vtkWaterQueryResult.h"
 #include "vtkWaterRendererClass.h"
 
@@ -181,6 +182,7 @@ void vtkWaterSea::Begin(vtkOpenGLRenderWindow* window, const water_cascades& cas
     if (this->UploadedFields < fields || !this->Texture.Get(window))
     {
       this->UploadedFields = this->DrawTexture(window, fields) ? fields : 0;
+      glFlush(); // drivers gather commands before they send them, and the GPU would wait for more
     }
   }
   catch (const std::bad_alloc&)

@@ -70,8 +70,11 @@ const char* vtkWaterSlopePasses::FindUnits(const Inputs& sea)
   for (size_t i = 0; i < sea.Tiles.size(); ++i)
   {
     const Tile& tile = sea.Tiles[i];
-    const double largest = *std::max_element(tile.Frequencies->begin(), tile.Frequencies->end());
-    this->Exponents[i] = water_turns_exponent(largest);
+    if (this->HasFields == 0)
+    {
+      const double largest = *std::max_element(tile.Frequencies->begin(), tile.Frequencies->end());
+      this->Exponents[i] = water_turns_exponent(largest);
+    }
     uint32_t units[2];
     if (!water_turns_time(water_tile_clock(tile.Shape, sea.Time), this->Exponents[i], units))
     {
