@@ -27,7 +27,8 @@ MOTIONS = {MOVING: "Camera and time change", "time": "Only the time changes",
 PHASES = ("work_ms", "gpu_ms", "gather_ms", "plan_ms", "reflection_ms", "surface_ms")
 
 TEXT = """
-$note Measured on $renderer ($window, VTK $vtk, $cpu, $cores cores) by `script/gpu benchmark --skips`
+$note
+Measured on $renderer ($window, VTK $vtk, $cpu, $cores cores) by `script/gpu benchmark --skips`
 (`Utilities/Benchmarks/gpu_frames.py`), in one window whose kinds of frames take turns in a new random order in every
 round. Each turn has three frames to settle, then four that count. Ratios compare medians within a round with the same
 scene without water, or with VTK's plain surface of the same data; the quartiles of all rounds are in brackets.
