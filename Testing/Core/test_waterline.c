@@ -22,7 +22,7 @@ static size_t prism(const double (*corners)[2], int sides, int missing, bool is_
   static const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   const water_plane level = { { 0.0, 0.0, 1.0 }, -0.5 };
   const double origin[3] = { 0.0, 0.0, 0.5 };
-  double places[2 * SIDES_MAX * 3];
+  double places[2 * SIDES_MAX * 3] = { 0 };
   for (int i = 0; i < 2 * sides; ++i)
   {
     places[3 * i] = corners[i / 2][0];

@@ -71,7 +71,7 @@ static double cell_area(const water_buffer_input* input, int column, int row)
     if (!to_picture(
           input, x + (i == 1 || i == 2 ? step[0] : 0.0), y + (i >= 2 ? step[1] : 0.0), corners[i]))
     {
-      return INFINITY;
+      return (double)INFINITY;
     }
   }
   const double* a = corners[0];
