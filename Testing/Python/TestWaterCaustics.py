@@ -72,3 +72,38 @@ def test_light_is_a_function_of_time():
     wt.check_at_least("another time: differing values", int((view.picture() != first).sum()), 1000)
     water.SetTime(2.0)
     wt.check_equal("the same time again: differing values", int((view.picture() != first).sum()), 0)
+
+
+def grid_strength(light):
+    """Power of the strongest period of 2.4 to 16 pixels in where the light bends, over the median of all: tens in
+    light without a grid, thousands with blocks, whether they are even or interpolated."""
+    strongest = 0.0
+    for lines in (light, light.T):
+        bends = np.abs(lines[:, 2:] - 2 * lines[:, 1:-1] + lines[:, :-2]).mean(axis=0)
+        around = np.convolve(np.pad(bends, 16, mode="edge"), np.ones(33) / 33, "valid")
+        power = np.abs(np.fft.rfft((bends / around - 1) * np.hanning(len(bends)))) ** 2
+        frequency = np.fft.rfftfreq(len(bends))
+        power = power[(frequency > 1 / 16) & (frequency < 1 / 2.4)]
+        strongest = max(strongest, power.max() / np.median(power))
+    return strongest
+
+
+def in_blocks(light, side):
+    """The same light from texels of so many pixels, linear between their middles."""
+    rows, columns = light.shape[0] // side, light.shape[1] // side
+    light = light[:rows * side, :columns * side].reshape(rows, side, columns, side).mean(axis=(1, 3))
+    for count in (columns, rows):
+        at = (np.arange(count * side) + 0.5) / side - 0.5
+        light = np.array([np.interp(at, np.arange(count), line) for line in light]).T
+    return light
+
+
+@pytest.mark.parametrize("depth, sun, eye, width", ((1.0, 50.0, 90.0, 4.0), (3.0, 25.0, 90.0, 8.0), (8.0, 50.0, 90.0, 12.0),
+                                                    (3.0, 50.0, 45.0, 8.0)))
+def test_no_block_is_seen(depth, sun, eye, width):
+    """Nothing coarser than two pixels is visible as a block."""
+    scene = truth.Scene(truth.COVE, depth, sun, size=(320, 240), width=width, eye=eye)
+    light = truth.shown(*truth.view_of(scene))
+    name = f"bed at {depth:g} m, sun at {sun:g} degrees, eye at {eye:g}"
+    wt.check_at_most(f"{name}: strength of a grid", grid_strength(light), 300.0)
+    wt.check_at_least(f"{name}: the same of blocks of 3 pixels", grid_strength(in_blocks(light, 3)), 2000.0)

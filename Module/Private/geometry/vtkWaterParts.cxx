@@ -99,7 +99,7 @@ void vtkWaterParts::JoinCells(vtkPolyData* mesh, vtkIdType begin, vtkIdType end)
 void vtkWaterParts::JoinCut(const vtkIdType* points, vtkIdType count)
 {
   vtkWaterForWetParts(this->Shore->Depths, points, count,
-    [this, points](const water_shore_corner* corners, const vtkIdType* own, size_t made) {
+    [this](const water_shore_corner* corners, const vtkIdType* own, size_t made) {
       std::vector<int64_t>& joined = this->Joined;
       joined.clear();
       for (size_t i = 0; i < made; ++i)
