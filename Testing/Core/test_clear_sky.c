@@ -241,6 +241,28 @@ TEST(the_mean_is_that_of_the_hemisphere)
   }
 }
 
-TESTS(the_mean_is_that_of_the_hemisphere, colors_are_those_of_the_paper, skies_are_not_purple,
+// The sun's colour by the paper's formulas, evaluated in Python.
+TEST(suns_are_those_of_the_paper)
+{
+  const struct
+  {
+    double elevation;
+    double turbidity;
+    double red; // over green
+    double blue;
+  } cases[] = { { 10.0, 3.0, 1.4454102194577478, 0.44060677593119624 },
+    { 60.0, 2.0, 1.0605952572248674, 0.8694377478852708 } };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
+  {
+    water_clear_sky sky;
+    double color[3];
+    assert_true(water_clear_sky_make(20.0, cases[i].elevation, cases[i].turbidity, &sky));
+    water_clear_sky_sun(&sky, color);
+    ASSERT_CLOSE(color[0] / color[1], cases[i].red, 1e-9);
+    ASSERT_CLOSE(color[2] / color[1], cases[i].blue, 1e-9);
+  }
+}
+
+TESTS(suns_are_those_of_the_paper, the_mean_is_that_of_the_hemisphere, colors_are_those_of_the_paper, skies_are_not_purple,
   zenith_has_its_luminance, skies_look_like_skies, horizon_has_no_step, low_suns_are_red,
   exposure_shows_the_mean, places_of_the_picture, other_suns_and_airs_are_refused)

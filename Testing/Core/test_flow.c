@@ -30,6 +30,7 @@ TEST(layers_take_turns)
   ASSERT_CLOSE(water_flow_at(0.0, 2.0).weight, 0.0, 0.0);
   ASSERT_CLOSE(water_flow_at(1.0, 2.0).weight, 1.0, 0.0);
   ASSERT_CLOSE(water_flow_at(-0.5, 2.0).gone[0], 0.75, 0.0);
+  ASSERT_CLOSE(water_flow_at(1.0, 2.0).gone[1], 0.0, 0.0); // it begins again, and is not gone
 }
 
 // Late and early times are as good as those about 0.

@@ -224,7 +224,29 @@ TEST(haze_begins_at_the_surface_and_grows_with_the_depth)
   }
 }
 
-TESTS(haze_begins_at_the_surface_and_grows_with_the_depth, phases_are_of_all_backward_light,
+// Under a sky without a sun, molecules scatter by 0.75 (1 + cos^2). Refracted light has cosines
+// from c to 1 of the angle from the zenith, whose squares have the mean (1 + c + c^2) / 3; of the
+// angle from a level look, half of the rest.
+TEST(molecules_scatter_the_skys_light_to_all_sides)
+{
+  water_haze_input input = tropical(-10.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    input.medium.scattering[i] = 1e-9; // fewer than there are molecules: no particles
+  }
+  water_haze haze;
+  water_haze_find(&input, &haze);
+  const double edge = sqrt(1.0 - 1.0 / (1.333 * 1.333));
+  const double squared = (1.0 + edge + edge * edge) / 3.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* sky = haze.sky[i];
+    const double straight = sky[0] + sky[1] + sky[2] + sky[3];
+    ASSERT_CLOSE(sky[0] / straight, (1.0 + 0.5 * (1.0 - squared)) / (1.0 + squared), 1e-12);
+  }
+}
+
+TESTS(molecules_scatter_the_skys_light_to_all_sides, haze_begins_at_the_surface_and_grows_with_the_depth, phases_are_of_all_backward_light,
   integral_is_closed_and_keeps_its_digits, over_is_the_integral, over_has_its_limits,
   straight_down_is_the_deep_color, daylight_falls_off_as_gordon_says, no_light_is_black,
   level_ways_are_as_photons_say, skys_light_is_smooth)

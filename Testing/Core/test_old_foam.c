@@ -325,6 +325,22 @@ TEST(foams_are_the_same_in_all_numbers)
   }
 }
 
-TESTS(foams_are_the_same_in_all_numbers, cover_is_what_is_counted, foam_decays_with_its_life_time,
+// A tile without an upper end has waves up to its points' own end.
+TEST(waves_end_where_points_do)
+{
+  const water_sea sea = sea_of(10.0);
+  water_tile tile = first_tile(&sea, 0.0);
+  water_old_foam open;
+  water_old_foam ended;
+  tile.k_high = 0.0;
+  assert_int_equal(water_old_foam_make(&sea, &tile, 0.01, 3.5, &open), WATER_OK);
+  assert_true(open.count > 0);
+  tile.k_high = 0.5 * 6.283185307179586 * (double)open.tile.size / tile.length;
+  assert_int_equal(water_old_foam_make(&sea, &tile, 0.01, 3.5, &ended), WATER_OK);
+  assert_int_equal(open.count, ended.count);
+  ASSERT_CLOSE(open.fresh, ended.fresh, 1e-12);
+}
+
+TESTS(waves_end_where_points_do, foams_are_the_same_in_all_numbers, cover_is_what_is_counted, foam_decays_with_its_life_time,
   foam_does_not_jump, crests_leave_foam, foam_repeats_with_the_sea, there_may_be_no_old_foam,
   bad_values_are_refused)

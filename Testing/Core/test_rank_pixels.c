@@ -346,7 +346,24 @@ TEST(any_word_of_a_layer_is_sent)
   assert_int_equal(water_rank_pixels_limit(&widest), sizeof bytes);
 }
 
-TESTS(each_word_of_a_color_counts, any_word_of_a_layer_is_sent, pixels_come_back,
+// A pixel is sent for its own words, not for those of the next.
+TEST(the_next_pixels_words_are_not_a_pixels_own)
+{
+  static part sent;
+  memset(&sent, 0, sizeof sent);
+  sent.colors[2 * 3] = 5;
+  water_rank_picture from = picture_of(&sent, 2, false);
+  const size_t one = water_rank_pixels_encode(&from, false, bytes);
+  sent.colors[2 * 2] = 6;
+  const size_t two = water_rank_pixels_encode(&from, false, bytes);
+  sent.colors[2 * 4] = 7;
+  const size_t three = water_rank_pixels_encode(&from, false, bytes);
+  print_message("one, two and three pixels: %zu, %zu, %zu bytes\n", one, two, three);
+  assert_int_equal(two - one, 8);
+  assert_int_equal(three - two, 8);
+}
+
+TESTS(the_next_pixels_words_are_not_a_pixels_own, each_word_of_a_color_counts, any_word_of_a_layer_is_sent, pixels_come_back,
   nearest_pixel_wins, samples_of_a_pixel_take_few_bytes, depths_come_back, layers_come_back,
   pixels_take_few_bytes, wrong_bytes_are_refused, layers_are_blended, boxes_are_sorted,
   boxes_that_overlap_are_sorted_by_their_centres)

@@ -21,6 +21,15 @@ TEST(two_heights_make_the_third)
   }
 }
 
+// Of three heights that do not agree each is kept.
+TEST(three_heights_stay_as_they_are)
+{
+  const water_column column = water_shore_column(3.0, 0.5, 2.0, 0.01);
+  ASSERT_CLOSE(column.level, 3.0, 0.0);
+  ASSERT_CLOSE(column.bed, 0.5, 0.0);
+  ASSERT_CLOSE(column.depth, 2.0, 0.0);
+}
+
 TEST(a_level_alone_is_wet)
 {
   const water_column column = water_shore_column(3.0, (double)NAN, (double)NAN, 0.01);
@@ -144,6 +153,10 @@ TEST(water_that_meets_land_twice_is_split)
   assert_false(water_shore_is_split(slope, 4));
   assert_false(water_shore_is_split(saddle, 3));
   assert_false(water_shore_is_split(saddle, 1));
+  const double edge[4] = { 1.0, 0.0, 1.0, -1.0 }; // dry where there is no depth
+  const double touched[4] = { 1.0, 1.0, 0.0, 1.0 };
+  assert_true(water_shore_is_split(edge, 4));
+  assert_false(water_shore_is_split(touched, 4));
 }
 
 // The shore lies on the line between the wet and the dry end, in all three coordinates.
@@ -231,7 +244,7 @@ TEST(land_has_the_level_of_its_bed)
   ASSERT_CLOSE(water_shore_level((double)NAN, -(double)INFINITY), 0.0, 0.0);
 }
 
-TESTS(the_shore_is_a_share_of_the_way_along_its_edge, triangles_cover_a_polygon,
+TESTS(three_heights_stay_as_they_are, the_shore_is_a_share_of_the_way_along_its_edge, triangles_cover_a_polygon,
   two_heights_make_the_third, a_level_alone_is_wet, what_is_shallow_or_no_number_is_dry,
   fill_values_of_files_are_dry, depths_cross_zero_at_the_shore, polygons_are_cut_at_the_shore,
   a_dry_cell_with_a_low_bed_is_behind_a_dyke, a_corner_on_the_shore_stands_once,
