@@ -26,6 +26,8 @@ TEST(the_pictures_pixels_are_pixels_of_the_own_view)
     random_scene random = scene_rolled(&from, number, center);
     random.scene.is_beyond = true;
     const water_plan plan = plan_of(&random.scene, NULL);
+    ASSERT_CLOSE(plan.headlight_dir[2], -1.0, 0.0); // the eye's own, straight ahead
+    ASSERT_CLOSE(plan.headlight_dir[0], 0.0, 0.0);
     assert_int_equal(plan.decision, WATER_REFLECT);
     assert_int_equal(plan.texture_px[0], 1600);
     assert_int_equal(plan.texture_px[1], 1200);

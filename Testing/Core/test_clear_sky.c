@@ -263,6 +263,7 @@ TEST(suns_are_those_of_the_paper)
   }
 }
 
-TESTS(suns_are_those_of_the_paper, the_mean_is_that_of_the_hemisphere, colors_are_those_of_the_paper, skies_are_not_purple,
-  zenith_has_its_luminance, skies_look_like_skies, horizon_has_no_step, low_suns_are_red,
-  exposure_shows_the_mean, places_of_the_picture, other_suns_and_airs_are_refused)
+TESTS(suns_are_those_of_the_paper, the_mean_is_that_of_the_hemisphere,
+  colors_are_those_of_the_paper, skies_are_not_purple, zenith_has_its_luminance,
+  skies_look_like_skies, horizon_has_no_step, low_suns_are_red, exposure_shows_the_mean,
+  places_of_the_picture, other_suns_and_airs_are_refused)

@@ -246,7 +246,54 @@ TEST(molecules_scatter_the_skys_light_to_all_sides)
   }
 }
 
-TESTS(molecules_scatter_the_skys_light_to_all_sides, haze_begins_at_the_surface_and_grows_with_the_depth, phases_are_of_all_backward_light,
+// The mean over the sky's refracted light of what particles scatter into a direction, counted in
+// 400 zenith angles by 400 azimuths.
+static double particles_of_sky(double fall)
+{
+  enum
+  {
+    COUNT = 400
+  };
+  const double edge = sqrt(1.0 - 1.0 / (1.333 * 1.333));
+  double sum = 0.0;
+  for (int i = 0; i < COUNT * COUNT; ++i)
+  {
+    const double cosine = edge + (1.0 - edge) * (i / COUNT + 0.5) / COUNT;
+    const double turn = 2.0 * pi * (i % COUNT) / COUNT;
+    const double light[3] = { sqrt(1.0 - cosine * cosine) * cos(turn),
+      sqrt(1.0 - cosine * cosine) * sin(turn), cosine };
+    const double look[3] = { sqrt(1.0 - fall * fall), 0.0, -fall };
+    sum +=
+      water_shared_haze_particles(look[0] * light[0] + look[1] * light[1] + look[2] * light[2]);
+  }
+  return sum / (COUNT * COUNT);
+}
+
+// The same of particles, at the four directions that the cubic goes through.
+TEST(particles_scatter_the_skys_light_by_their_phase)
+{
+  water_haze_input input = tropical(-10.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    input.medium.scattering[i] = 1e9; // more than there are molecules
+  }
+  water_haze haze;
+  water_haze_find(&input, &haze);
+  const double falls[4] = { WATER_HAZE_FALL_MIN, 0.0, 0.5, 1.0 };
+  const double straight = particles_of_sky(1.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    const double x = falls[i];
+    const double* sky = haze.sky[1];
+    const double of_straight = sky[0] + sky[1] + sky[2] + sky[3];
+    const double value = sky[0] + x * (sky[1] + x * (sky[2] + x * sky[3]));
+    ASSERT_CLOSE(value / of_straight, particles_of_sky(x) / straight, 3e-3);
+  }
+}
+
+TESTS(particles_scatter_the_skys_light_by_their_phase,
+  molecules_scatter_the_skys_light_to_all_sides,
+  haze_begins_at_the_surface_and_grows_with_the_depth, phases_are_of_all_backward_light,
   integral_is_closed_and_keeps_its_digits, over_is_the_integral, over_has_its_limits,
   straight_down_is_the_deep_color, daylight_falls_off_as_gordon_says, no_light_is_black,
   level_ways_are_as_photons_say, skys_light_is_smooth)

@@ -341,6 +341,6 @@ TEST(waves_end_where_points_do)
   ASSERT_CLOSE(open.fresh, ended.fresh, 1e-12);
 }
 
-TESTS(waves_end_where_points_do, foams_are_the_same_in_all_numbers, cover_is_what_is_counted, foam_decays_with_its_life_time,
-  foam_does_not_jump, crests_leave_foam, foam_repeats_with_the_sea, there_may_be_no_old_foam,
-  bad_values_are_refused)
+TESTS(waves_end_where_points_do, foams_are_the_same_in_all_numbers, cover_is_what_is_counted,
+  foam_decays_with_its_life_time, foam_does_not_jump, crests_leave_foam, foam_repeats_with_the_sea,
+  there_may_be_no_old_foam, bad_values_are_refused)

@@ -363,7 +363,8 @@ TEST(the_next_pixels_words_are_not_a_pixels_own)
   assert_int_equal(three - two, 8);
 }
 
-TESTS(the_next_pixels_words_are_not_a_pixels_own, each_word_of_a_color_counts, any_word_of_a_layer_is_sent, pixels_come_back,
-  nearest_pixel_wins, samples_of_a_pixel_take_few_bytes, depths_come_back, layers_come_back,
-  pixels_take_few_bytes, wrong_bytes_are_refused, layers_are_blended, boxes_are_sorted,
+TESTS(the_next_pixels_words_are_not_a_pixels_own, each_word_of_a_color_counts,
+  any_word_of_a_layer_is_sent, pixels_come_back, nearest_pixel_wins,
+  samples_of_a_pixel_take_few_bytes, depths_come_back, layers_come_back, pixels_take_few_bytes,
+  wrong_bytes_are_refused, layers_are_blended, boxes_are_sorted,
   boxes_that_overlap_are_sorted_by_their_centres)

@@ -244,9 +244,9 @@ TEST(land_has_the_level_of_its_bed)
   ASSERT_CLOSE(water_shore_level((double)NAN, -(double)INFINITY), 0.0, 0.0);
 }
 
-TESTS(three_heights_stay_as_they_are, the_shore_is_a_share_of_the_way_along_its_edge, triangles_cover_a_polygon,
-  two_heights_make_the_third, a_level_alone_is_wet, what_is_shallow_or_no_number_is_dry,
-  fill_values_of_files_are_dry, depths_cross_zero_at_the_shore, polygons_are_cut_at_the_shore,
-  a_dry_cell_with_a_low_bed_is_behind_a_dyke, a_corner_on_the_shore_stands_once,
-  water_that_meets_land_twice_is_split, columns_are_those_of_single_points,
-  land_has_the_level_of_its_bed)
+TESTS(three_heights_stay_as_they_are, the_shore_is_a_share_of_the_way_along_its_edge,
+  triangles_cover_a_polygon, two_heights_make_the_third, a_level_alone_is_wet,
+  what_is_shallow_or_no_number_is_dry, fill_values_of_files_are_dry, depths_cross_zero_at_the_shore,
+  polygons_are_cut_at_the_shore, a_dry_cell_with_a_low_bed_is_behind_a_dyke,
+  a_corner_on_the_shore_stands_once, water_that_meets_land_twice_is_split,
+  columns_are_those_of_single_points, land_has_the_level_of_its_bed)
