@@ -90,7 +90,7 @@ static double centre_distance(
     along += off * direction[axis];
     square += off * off;
   }
-  return water_bounds_is_empty(box) ? INFINITY : is_parallel ? along : sqrt(square);
+  return water_bounds_is_empty(box) ? (double)INFINITY : is_parallel ? along : sqrt(square);
 }
 
 void water_rank_pixels_order(const double (*bounds)[6], size_t box_count, const double eye[3],
@@ -112,7 +112,7 @@ void water_rank_pixels_order(const double (*bounds)[6], size_t box_count, const 
   for (size_t next = 0; next < box_count; ++next)
   {
     size_t best = box_count;
-    double best_distance = INFINITY;
+    double best_distance = (double)INFINITY;
     for (size_t i = 0; i < box_count; ++i)
     {
       const double distance = centre_distance(bounds[i], eye, direction, is_parallel);

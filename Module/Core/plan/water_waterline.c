@@ -235,8 +235,8 @@ static void find_rows(
 bool water_waterline_lay(
   const water_waterline_piece* pieces, size_t count, water_waterline_rows* rows)
 {
-  double low[2] = { INFINITY, INFINITY };
-  double high[2] = { -INFINITY, -INFINITY };
+  double low[2] = { (double)INFINITY, (double)INFINITY };
+  double high[2] = { -(double)INFINITY, -(double)INFINITY };
   for (size_t i = 0; i < 2 * count; ++i)
   {
     for (int j = 0; j < 2; ++j)
