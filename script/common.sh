@@ -78,3 +78,16 @@ build_system_leg() { # FOLDER CMAKE-ARGUMENT...
 build_wheel_leg() { # FOLDER CMAKE-ARGUMENT...
   configure_wheel_leg "$@" && build "$1"
 }
+
+# Clang's warnings for the core: all but these. Used by script/platforms and by the fuzzers' leg of script/test.
+strict=(
+  -std=c11 -pedantic -Weverything -Werror
+  -Wno-declaration-after-statement        # C99, which the core is
+  -Wno-padded                             # the layout of structs is the compiler's business
+  -Wno-unsafe-buffer-usage                # about C++
+  -Wno-float-equal                        # zero, and the same number, are asked for on purpose
+  -Wno-switch-enum -Wno-covered-switch-default # values out of an enumeration's range are input
+  -Wno-bad-function-cast                  # (int)floor(x) is meant
+  -Wno-keyword-macro                      # water_shared.c reads GLSL as C
+  -Wno-unknown-warning-option             # of another version of Clang
+)

@@ -26,8 +26,8 @@ void water_samples_nearest(const float places[][2], int samples, int side, int n
     numbers[fine] = 0;
     for (int i = 0; i < samples; ++i)
     {
-      const double across = places[i][0] - x;
-      const double up = places[i][1] - y;
+      const double across = (double)places[i][0] - x;
+      const double up = (double)places[i][1] - y;
       const double away = across * across + up * up;
       numbers[fine] = away < nearest ? i : numbers[fine];
       nearest = away < nearest ? away : nearest;
