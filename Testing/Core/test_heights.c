@@ -290,6 +290,27 @@ TEST(films_of_water_are_no_evidence)
   ASSERT_CLOSE(verdict.factor, 100.0, 1e-12);
 }
 
+// A depth is evidence if it is over a thousandth of the largest one; at a thousandth it is none.
+TEST(a_thousandth_of_the_depth_is_no_evidence)
+{
+  const double shallow[2] = { 1.0, 1.01 };
+  for (int k = 0; k < 2; ++k)
+  {
+    double level[60];
+    double depth[60];
+    double bed[60];
+    for (int i = 0; i < 60; ++i)
+    {
+      const double right = i < 9 ? 1000.0 : shallow[k];
+      bed[i] = 10.0;
+      level[i] = bed[i] + right;
+      depth[i] = 1000.0 * right;
+    }
+    const water_heights_verdict verdict = water_heights_judge(level, depth, bed, 60);
+    assert_int_equal(verdict.wrong, k == 0 ? WATER_HEIGHT_NONE : WATER_HEIGHT_DEPTH);
+  }
+}
+
 // Places without a value change no verdict, whichever height they lack and whichever are given.
 TEST(places_without_values_tell_nothing)
 {
@@ -322,6 +343,9 @@ TEST(places_without_values_tell_nothing)
       water_heights_judge(NULL, tank.depth, tank.bed, COUNT), WATER_HEIGHT_DEPTH, 1000.0);
   }
   coast empty = coast_of(-20.0, 15.0, 0.3, 0.1);
+  scale(empty.level, (double)NAN);
+  assert_true(water_heights_judge(empty.level, NULL, empty.bed, COUNT).wrong == WATER_HEIGHT_NONE);
+  empty = coast_of(300.0, 330.0, 312.0, 0.2); // high land, without any level
   scale(empty.level, (double)NAN);
   assert_true(water_heights_judge(empty.level, NULL, empty.bed, COUNT).wrong == WATER_HEIGHT_NONE);
   empty = coast_of(-20.0, 15.0, 0.3, 0.1);
@@ -388,6 +412,16 @@ TEST(a_few_faces_and_those_without_values_tell_nothing)
   const water_heights_faces enough = faces_of(80, 0, 0.1);
   assert_true(few.cut == 19 && !water_heights_are_beds(&few));
   assert_true(water_heights_are_beds(&enough));
+  for (int wet = 9; wet < 11; ++wet) // of 80 whose level is their bed
+  {
+    water_heights_faces film = { 0 };
+    for (int i = 0; i < 80; ++i)
+    {
+      const double beds[2] = { 1.0 * i, 1.0 * i + 1.0 };
+      water_heights_add_face(i + 0.5 + (i < wet ? 0.01 : 0.0), beds, 2, 0.001, &film);
+    }
+    assert_true(water_heights_are_beds(&film) == (wet == 10));
+  }
   water_heights_faces none = { 0 };
   const double beds[3] = { 0.0, 1.0, (double)NAN };
   water_heights_add_face(0.5, beds, 3, 0.0, &none);
@@ -431,9 +465,10 @@ TESTS(depths_that_are_negative_have_the_wrong_sign, three_heights_must_agree_whe
   levels_of_dry_faces_are_found, dry_faces_that_are_not_shown_are_no_matter, a_shore_is_no_dry_land,
   a_level_shore_is_no_dry_land, a_few_faces_and_those_without_values_tell_nothing,
   places_without_values_tell_nothing, nine_places_are_too_few, flat_land_tells_nothing,
-  films_of_water_are_no_evidence, dry_places_tell_the_unit_of_a_level_of_0,
-  dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
-  marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
-  a_flat_tank_has_no_wrong_unit, dry_land_tells_the_unit_of_the_level,
-  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found,
-  depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine, two_heights_are_needed)
+  films_of_water_are_no_evidence, a_thousandth_of_the_depth_is_no_evidence,
+  dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
+  no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
+  the_height_in_another_unit_is_found, a_flat_tank_has_no_wrong_unit,
+  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
+  a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
+  two_heights_are_needed)

@@ -35,6 +35,7 @@ TEST(a_level_alone_is_wet)
   const water_column column = water_shore_column(3.0, (double)NAN, (double)NAN, 0.01);
   assert_true(column.is_wet);
   assert_true(isinf(column.depth) && column.depth > 0.0);
+  assert_true(isinf(column.bed) && column.bed < 0.0);
 }
 
 TEST(what_is_shallow_or_no_number_is_dry)

@@ -390,6 +390,22 @@ TEST(the_picture_of_the_sky_is_a_square)
   assert_int_equal(water_plan_make(&scene, &plan, &reason), WATER_TEXTURE_TOO_LARGE);
 }
 
+TEST(a_camera_of_no_numbers_is_refused)
+{
+  const water_prop dome = dome_of(radius);
+  water_scene scene = lake_in_a_dome(&dome, 1);
+  water_cull_reason reason;
+  water_plan plan = plan_of(&scene, &reason);
+  const water_plane plane = { { 0.0, 0.0, 1.0 }, 0.0 };
+  const double nowhere[3] = { 0.0, 0.0, 0.0 };
+  const double box[4] = { -1.0, -1.0, 1.0, 1.0 };
+  water_axes axes;
+  water_lookup_axes(&plane, WATER_ABOVE, nowhere, &axes);
+  scene.eye.world_to_view[0] = (double)NAN;
+  assert_int_equal(
+    water_sky_view_plan(&scene, &plane, &axes, 0.0, box, &plan, &reason), WATER_BAD_CAMERA);
+}
+
 // With a camera of the picture of its own, the light at the camera is there, and so is the ray of
 // each place of the view.
 TEST(the_picture_may_have_another_camera)
@@ -437,7 +453,8 @@ TEST(the_picture_may_have_another_camera)
   }
 }
 
-TESTS(the_view_ends_where_its_rays_do, straight_up_from_any_plane, the_rest_is_all_of_it,
-  the_view_is_about_the_water_in_the_picture, the_view_reaches_under_the_troughs,
-  the_picture_of_the_sky_is_a_square, the_picture_may_have_another_camera, rays_in_a_round_dome,
-  what_may_be_the_sky_is_drawn, the_rest_ends_before_the_dome, straight_up)
+TESTS(a_camera_of_no_numbers_is_refused, the_view_ends_where_its_rays_do,
+  straight_up_from_any_plane, the_rest_is_all_of_it, the_view_is_about_the_water_in_the_picture,
+  the_view_reaches_under_the_troughs, the_picture_of_the_sky_is_a_square,
+  the_picture_may_have_another_camera, rays_in_a_round_dome, what_may_be_the_sky_is_drawn,
+  the_rest_ends_before_the_dome, straight_up)

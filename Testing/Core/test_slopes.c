@@ -123,6 +123,7 @@ TEST(normals_stay_normal)
       {
         to_world[4 * i + j] = dice_roll(&seed, -1, 1) + (i == j ? 3.0 : 0.0);
       }
+      to_world[4 * i + 3] = dice_roll(&seed, -9, 9); // moves no normal
       sides[0][i] = dice_roll(&seed, -1, 1);
       sides[1][i] = dice_roll(&seed, -1, 1);
     }
