@@ -206,7 +206,24 @@ TEST(a_flat_brim_is_no_wall)
   assert_int_equal(water_footprint_shape_of(&footprint), WATER_FOOTPRINT_OBJECT);
 }
 
-TESTS(walls_along_two_thirds_of_the_rim_are_enough, a_wall_is_four_fifths_as_thick,
-  a_flat_brim_is_no_wall, a_top_at_the_level_is_under_the_water,
+// A slope of 45 degrees is as thick in each cell as it rises to the next one.
+TEST(a_slope_is_a_surface)
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    water_footprint footprint;
+    water_footprint_begin(&footprint);
+    for (int i = 0; i < 64; ++i)
+    {
+      const int cell[2] = { i % 8, i / 8 };
+      water_footprint_add(cell[0], cell[1], cell[axis], &footprint);
+      water_footprint_add(cell[0], cell[1], cell[axis] + 1.0, &footprint);
+    }
+    assert_int_equal(water_footprint_shape_of(&footprint), WATER_FOOTPRINT_SURFACE);
+  }
+}
+
+TESTS(a_slope_is_a_surface, walls_along_two_thirds_of_the_rim_are_enough,
+  a_wall_is_four_fifths_as_thick, a_flat_brim_is_no_wall, a_top_at_the_level_is_under_the_water,
   half_of_the_cells_with_a_gap_make_a_solid, fifteen_cells_are_a_surface, cells_in_use_are_known,
   a_fiftieth_of_the_top_is_under_the_water, walls_make_a_block)

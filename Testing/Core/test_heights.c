@@ -290,6 +290,33 @@ TEST(films_of_water_are_no_evidence)
   ASSERT_CLOSE(verdict.factor, 100.0, 1e-12);
 }
 
+// A level that is a round multiple of a flat bed's height is one by chance.
+TEST(a_flat_bed_at_a_hundredth_of_the_level_is_right)
+{
+  double level[40];
+  double bed[40];
+  for (int i = 0; i < 40; ++i)
+  {
+    bed[i] = 10.0;
+    level[i] = 1000.0;
+  }
+  assert_int_equal(water_heights_judge(level, NULL, bed, 40).wrong, WATER_HEIGHT_NONE);
+}
+
+// Levels far under all land mean something if they are more than a twentieth of all.
+TEST(a_twentieth_under_the_land_tells_nothing)
+{
+  double level[200];
+  double bed[200];
+  for (int i = 0; i < 200; ++i)
+  {
+    bed[i] = 0.05 * i;
+    level[i] = i < 10 ? -100.0 - 3.0 * i : bed[i];
+  }
+  assert_int_equal(water_heights_judge(level, NULL, bed, 200).wrong, WATER_HEIGHT_NONE);
+  assert_int_equal(water_heights_judge(level, NULL, bed, 199).wrong, WATER_HEIGHT_LEVEL);
+}
+
 // A depth is evidence if it is over a thousandth of the largest one; at a thousandth it is none.
 TEST(a_thousandth_of_the_depth_is_no_evidence)
 {
@@ -451,6 +478,13 @@ TEST(three_heights_must_agree_where_it_is_wet)
   assert_true(sum.is_wrong == 1 && fabs(sum.off - 2.4) < 1e-9);
 }
 
+TEST(heights_of_dry_land_agree)
+{
+  const double land[2] = { 3.0, 4.0 };
+  const double none[2] = { 0.0, 0.0 };
+  assert_false(water_heights_compare(land, none, land, 2, 0.0).is_wrong);
+}
+
 TEST(depths_that_are_negative_have_the_wrong_sign)
 {
   assert_true(water_heights_are_negative(-5.0, -1e-9, 1.0));
@@ -461,14 +495,15 @@ TEST(depths_that_are_negative_have_the_wrong_sign)
   assert_false(water_heights_are_negative(1.0, -1.0, 0.0)); // there are none
 }
 
-TESTS(depths_that_are_negative_have_the_wrong_sign, three_heights_must_agree_where_it_is_wet,
-  levels_of_dry_faces_are_found, dry_faces_that_are_not_shown_are_no_matter, a_shore_is_no_dry_land,
-  a_level_shore_is_no_dry_land, a_few_faces_and_those_without_values_tell_nothing,
-  places_without_values_tell_nothing, nine_places_are_too_few, flat_land_tells_nothing,
-  films_of_water_are_no_evidence, a_thousandth_of_the_depth_is_no_evidence,
-  dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
-  no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
-  the_height_in_another_unit_is_found, a_flat_tank_has_no_wrong_unit,
-  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
-  a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
-  two_heights_are_needed)
+TESTS(heights_of_dry_land_agree, a_flat_bed_at_a_hundredth_of_the_level_is_right,
+  a_twentieth_under_the_land_tells_nothing, depths_that_are_negative_have_the_wrong_sign,
+  three_heights_must_agree_where_it_is_wet, levels_of_dry_faces_are_found,
+  dry_faces_that_are_not_shown_are_no_matter, a_shore_is_no_dry_land, a_level_shore_is_no_dry_land,
+  a_few_faces_and_those_without_values_tell_nothing, places_without_values_tell_nothing,
+  nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_evidence,
+  a_thousandth_of_the_depth_is_no_evidence, dry_places_tell_the_unit_of_a_level_of_0,
+  dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
+  marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
+  a_flat_tank_has_no_wrong_unit, dry_land_tells_the_unit_of_the_level,
+  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found,
+  depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine, two_heights_are_needed)

@@ -211,6 +211,13 @@ TEST(clip_in_floats_is_where_it_should_be)
     most = fmax(most, fabs(height - right) / (fabs(constant) + fabs(clip[3])));
     most_of_four = fmax(most_of_four, fabs(of_four - right) / (fabs(constant) + fabs(clip[3])));
   }
+  const double whole[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.1, -0.2, 0, 0, -1, 0.5 };
+  const double plane[4] = { 0.1, 0.2, 0.3, 0.4 };
+  double same[4];
+  double constant;
+  water_mirror_clip_position(whole, plane, same, &constant); // of no perspective from the eye
+  assert_memory_equal(same, plane, sizeof plane);
+  assert_true(constant == 0.0);
   printf("error of the clip over the distance: %.2g, from its four coordinates %.2g\n", most,
     most_of_four);
   assert_true(most < 1e-5);

@@ -298,6 +298,7 @@ TEST(bad_values_are_refused)
   const water_tile odd = { 5, 100.0, 0.0, 1, 0.0, 0.0 };
   assert_int_equal(water_old_foam_make(&sea, &odd, 0.01, 3.5, &foam), WATER_BAD_TILE_SIZE);
   assert_int_equal(foam.count, 99);
+  assert_int_equal(water_old_foam_make(&sea, &tile, 0.01, WATER_FOAM_LIFE_MAX, &foam), WATER_OK);
   const water_tile large = { 1024, tile.length, 0.0, 7, 0.0, 0.0 };
   assert_int_equal(water_old_foam_make(&sea, &large, 0.01, 3.5, &foam), WATER_OK);
   assert_int_equal(foam.tile.size, WATER_OLD_FOAM_SIZE_MAX);

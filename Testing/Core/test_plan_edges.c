@@ -86,6 +86,7 @@ TEST(one_dome_of_many_props)
   static water_cull_reason reasons[COUNT];
   const water_prop dome = { { -90.0, 90.0, -90.0, 90.0, -90.0, 90.0 }, visible, 0.0f };
   const water_prop post = { { -1.0, 1.0, 4.0, 6.0, 0.0, 3.0 }, visible, 0.0f };
+  const water_prop beside = { { 0.0, 180.0, -90.0, 90.0, -90.0, 90.0 }, visible, 0.0f };
   const int places[] = { 0, 300, COUNT - 1, -1 };
   for (int i = 0; i < 4; ++i)
   {
@@ -100,6 +101,10 @@ TEST(one_dome_of_many_props)
     assert_int_equal(plan.is_enclosed, places[i] >= 0);
     assert_int_equal(plan.is_sky_known, places[i] < 0);
   }
+  water_scene scene = lake();
+  scene.props = &beside; // the eye is in its side
+  scene.prop_count = 1;
+  assert_false(plan_of(&scene, reasons).is_enclosed);
 }
 
 // A dome far from the world's origin is as wide as one about it.
@@ -227,12 +232,13 @@ TEST(only_the_mirrored_view_asks_what_is_reflected)
 TEST(the_clip_cuts_what_is_across_the_water)
 {
   const double huge = (double)INFINITY;
-  const double boxes[5][6] = { { -1.0, 1.0, -1.0, 1.0, 0.1, 2.0 },
+  const double boxes[6][6] = { { -1.0, 1.0, -1.0, 1.0, 0.1, 2.0 },
     { -1.0, 1.0, -1.0, 1.0, -0.1, 2.0 }, { -1.0, 1.0, -1.0, 1.0, 0.1, huge },
-    { huge, -huge, huge, -huge, huge, -huge }, { -1.0, 1.0, -1.0, 1.0, 0.1, (double)NAN } };
+    { huge, -huge, huge, -huge, huge, -huge }, { -1.0, 1.0, -1.0, 1.0, 0.1, (double)NAN },
+    { 1.0, -1.0, 1.0, -1.0, 3.0, 2.0 } };
   const water_scene scene = lake();
   const water_plan plan = plan_of(&scene, NULL);
-  for (int i = 0; i < 5; ++i)
+  for (int i = 0; i < 6; ++i)
   {
     assert_int_equal(water_plan_cuts(&plan, boxes[i]), i > 0);
   }
