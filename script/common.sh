@@ -37,12 +37,12 @@ system_vtk_dir() {
   [ -n "$config" ] && dirname "$config"
 }
 
-# configure FOLDER CMAKE-ARGUMENT...: configures only when the arguments are new; the build handles later changes
-# of CMake files.
+# configure FOLDER CMAKE-ARGUMENT...: configures only when the arguments or the presets are new; the build handles
+# later changes of CMake files.
 configure() {
   local folder=$1 stamp=$1/.configured-with
   shift
-  if [ ! -e "$folder/build.ninja" ] || [ "$(cat "$stamp" 2>/dev/null)" != "$*" ]; then
+  if [ ! -e "$folder/build.ninja" ] || [ "$(cat "$stamp" 2>/dev/null)" != "$*" ] || [ CMakePresets.json -nt "$stamp" ]; then
     rm -f "$stamp"
     cmake -S . -B "$folder" -G Ninja "$@" || return
     echo "$*" >"$stamp"
