@@ -54,6 +54,38 @@ def test_no_dotted_line_is_along_the_waterline(is_software, monkeypatch):
     wt.check_at_most("dark dots among them", int((several[inside] < 225).sum()), 6)
 
 
+def thin_water(samples):
+    """Calm water of 0.3 m over a level bed, seen from 500 to 1200 m at 6 degrees and less."""
+    view = wt.View(SIZE, (0.6, 0.6, 0.6), samples)
+    wt.add_actor(view.renderer, wt.box((0, 800, -1.3), (2000, 2000, 2)), (0.8, 0.5, 0.2), lit=False)
+    water = wt.add_water(view.renderer, None, (-1000, 1000, -200, 1800), 0)
+    look = water.GetWaterProperty()
+    look.RefractionOn()
+    look.SetRefractionSourceToPicture()
+    look.SetAbsorption(1, 1, 1)
+    look.SetScattering(0, 0, 0)
+    look.SetDeepColor(0, 0, 0)
+    look.SetReflectanceModeToConstant()
+    look.SetReflectance(0)
+    wt.place_camera(view.renderer, (0, -200, 60), (0, 700, 0), (20, 4000)).SetViewAngle(20)
+    return view
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_thin_water_has_no_stripes(is_software, monkeypatch):
+    """Thin water at a low angle is as dark as its depth says, in each row, with several samples and without."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    once, several = (thin_water(samples).picture()[:104].astype(float) for samples in (0, 4))
+    wt.check_at_most("with samples and without, largest difference", np.abs(once - several).max(), 2)
+    up = np.tan(np.radians(10)) * ((2 * np.arange(104) + 1) / SIZE[1] - 1)
+    incidence = np.pi / 2 - np.arctan2(60, 900) + np.arctan(up)
+    way = 0.3 / np.sqrt(1 - (np.sin(incidence) / 1.333) ** 2)  # Snell
+    truth = 255 * 0.8 * np.exp(-way)  # Beer and Lambert
+    column = SIZE[0] // 2
+    wt.check_at_most("from Snell's and Beer's laws, largest difference", np.abs(once[:, column, 0] - truth).max(), 1)
+    wt.check_at_most("the same with samples", np.abs(several[:, column, 0] - truth).max(), 1.5)
+
+
 def boxes_under_water():
     """Dark boxes, turned, over a light bed under calm water."""
     view = wt.View(SIZE, (0.6, 0.6, 0.6))

@@ -103,7 +103,7 @@ void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most
   {
     return;
   }
-  vec2 straight = waterMediumPlace(point.ndc);
+  vec2 straight = waterMediumMiddle(waterMediumPlace(point.ndc));
   float depth = waterMediumDepth(straight);
   float height = waterMediumHeight(straight, depth);
   float deepest = most / max(ray.w + most * ray.rate, 1e-6);
@@ -116,7 +116,7 @@ void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most
   {
     met.view = WaterMediumView(true, met.view.s, straight, straight, 0.0, false, false, false);
     met.depth = depth;
-    met.way = height / dir.z;
+    met.way = met.lit = height / dir.z;
     met.isNothing = false;
   }
   else if (waterSide > 0.0 && !(isOverEnd && isLast) &&

@@ -182,7 +182,6 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   reach = min(reach, leaves);
 
   WaterMediumHit found = waterMediumWalk(start, way, depth, reach);
-  vec2 size = waterMediumSize();
   // the false position between the two, which are close
   float missLow = start.z + found.low * way.z - found.depthLow;
   float missHigh = start.z + found.high * way.z - found.depthHigh;
@@ -194,9 +193,9 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   view.isOut = !found.isHit && !isInside;
   view.isHidden = !found.isHit && isInside && !view.isMet;
   // what is beside that which hides it, not filtered
-  vec2 beside = (floor((start.xy + found.low * way.xy) * size) + 0.5) / size;
+  vec2 beside = waterMediumMiddle(start.xy + found.low * way.xy);
   view.from = found.isGap || view.isHidden ? beside : start.xy + view.s * way.xy;
-  view.to = !view.isMet ? (floor((start.xy + found.high * way.xy) * size) + 0.5) / size : view.from;
+  view.to = !view.isMet ? waterMediumMiddle(start.xy + found.high * way.xy) : view.from;
   view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
   return view;
 }

@@ -55,12 +55,14 @@ struct WaterMediumMet
 float waterMediumBetween(WaterMediumRay ray, WaterMediumView view, float depth)
 {
   vec2 size = waterMediumSize();
-  vec2 middle = (floor(view.from * size) + 0.5) / size;
+  vec2 middle = waterMediumMiddle(view.from);
   vec2 before = depth - vec2(waterMediumDepth(middle - vec2(1.0, 0.0) / size),
     waterMediumDepth(middle - vec2(0.0, 1.0) / size));
   vec2 after = vec2(waterMediumDepth(middle + vec2(1.0, 0.0) / size),
     waterMediumDepth(middle + vec2(0.0, 1.0) / size)) - depth;
-  vec2 slope = size * mix(before, after, lessThan(abs(after), abs(before)));
+  vec2 isAfter = vec2(lessThan(abs(after), abs(before))) * step(middle * size, size - 1.0);
+  isAfter = max(isAfter, step(middle * size, vec2(1.0))); // beyond the border no depth is known
+  vec2 slope = size * mix(before, after, isAfter);
   float miss = ray.start.z + view.s * ray.way.z - depth - dot(slope, view.from - middle);
   float rate = ray.way.z - dot(slope, ray.way.xy);
   float further = -miss / max(rate, 1e-20);
@@ -80,12 +82,24 @@ float waterMediumDeepest()
 // most  as of waterMediumMeets
 void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most, inout WaterMediumMet met);
 
+// The point in the picture's window. The middle of a pixel with several samples lies between finer ones, whose depths are
+// those of their own middles: thin water would be before its bed or behind it as one or the other is read. The point moves
+// along the plane to such a middle.
+vec3 waterMediumStart(WaterPoint point)
+{
+  vec2 place = waterMediumPlace(point.ndc);
+  vec2 size = waterMediumSize();
+  vec2 off = waterSceneSide > 1 ? (floor(place * size + 0.01) + 0.5) / size - place : vec2(0.0);
+  float further = -dot(waterHeightClip.xy, off) / waterHeightClip.z;
+  return vec3(place + off, waterWindowDepth(point.ndc, point.moved) + further);
+}
+
 // A ray that leaves the water without having met its bed meets what lies under the water's border, as if that went on.
 //
 // dir  of the ray, in the plane's axes
 WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
 {
-  vec3 start = vec3(waterMediumPlace(point.ndc), waterWindowDepth(point.ndc, point.moved));
+  vec3 start = waterMediumStart(point);
   WaterMediumRay ray =
     waterMediumTurn(WaterMediumRay(start, vec3(0.0), 1.0 / waterPerW(), 0.0), dir, 0.0);
   float pixel = max(length(point.across), length(point.down));
@@ -157,14 +171,16 @@ vec3 waterTransmittedOpaque(WaterPoint point, vec3 dir)
   waterMediumEnd = view.from;
   vec3 from = waterMediumColor(view.from, met.depth);
   vec3 to = from;
-  vec3 ways = vec3(met.way); // of what is seen at the first place, at the second, and of both
+  vec3 ways = vec3(met.lit); // of what is seen at the first place, at the second, and of both
   float depthTo = met.depth;
   bool areTwo = !view.isMet && !met.isUnderBorder;
   if (areTwo || met.isUnderBorder) // over level beds
   {
     depthTo = waterMediumDepth(view.to);
     to = waterMediumColor(view.to, depthTo);
-    ways.xy = max(vec2(waterMediumHeight(view.from, met.depth), waterMediumHeight(view.to, depthTo)) / dir.z, vec2(0.0));
+    vec2 heights = vec2(waterMediumHeight(waterMediumMiddle(view.from), met.depth),
+      waterMediumHeight(waterMediumMiddle(view.to), depthTo));
+    ways.xy = max(heights / dir.z, vec2(0.0));
     ways.z = areTwo ? mix(ways.x, ways.y, view.share) : ways.x;
   }
   if (waterSide < 0.0)

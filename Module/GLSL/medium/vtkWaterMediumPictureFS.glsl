@@ -206,6 +206,13 @@ bool waterMediumConverge(vec3 start, vec3 way, float pixels, inout WaterMediumHi
   return false;
 }
 
+// The middle of the picture's pixel at a place, or nearest to it: the depth that is read is the one there.
+vec2 waterMediumMiddle(vec2 uv)
+{
+  vec2 size = waterMediumSize();
+  return (clamp(floor(uv * size), vec2(0.0), size - 1.0) + 0.5) / size;
+}
+
 // What the picture shows of what a ray meets.
 struct WaterMediumView
 {
@@ -268,7 +275,7 @@ vec2 waterMediumEnd = vec2(0.0); // where in the picture the last ray of this pi
 vec2 waterMediumUnmixed(vec2 uv, float depth)
 {
   vec2 size = waterMediumSize();
-  vec2 middle = (floor(uv * size) + 0.5) / size;
+  vec2 middle = waterMediumMiddle(uv);
   vec2 first = mix(vec2(-1.0), vec2(1.0), greaterThan(uv, middle)); // where filtering reads
   if (waterSceneIsMixed == 0 && !waterMediumIsNearEdge(middle, middle + first / size, depth))
   {

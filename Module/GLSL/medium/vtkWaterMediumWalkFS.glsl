@@ -165,7 +165,6 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   reach = min(reach, leaves);
 
   WaterMediumHit found = waterMediumWalk(start, way, depth, reach);
-  vec2 size = waterMediumSize();
   float wide = found.high - found.low;
   // the false position between the two
   float missLow = start.z + found.low * way.z - found.depthLow;
@@ -176,7 +175,7 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   view.s = found.low + share * wide;
   view.share = view.isMet ? share : (found.isHit ? found.share : 0.0);
   view.from = start.xy + (view.isMet ? view.s : found.low) * way.xy;
-  view.to = view.isMet ? view.from : (floor((start.xy + found.high * way.xy) * size) + 0.5) / size;
+  view.to = view.isMet ? view.from : waterMediumMiddle(start.xy + found.high * way.xy);
   view.isOut = !found.isHit && !isInside;
   view.isHidden = !found.isHit && isInside && !view.isMet;
   view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
