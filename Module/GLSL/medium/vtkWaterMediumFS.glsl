@@ -235,7 +235,8 @@ vec3 waterSeenFrom(WaterPoint point, vec3 color)
     return color;
   }
   float along = (waterDirToEye * vec4(point.ray, 0.0)).w;
-  float way = 1.0 / (waterPerW() * along);
+  // with several samples the middle of a pixel at the horizon may lie beyond it, where no point is
+  float way = 1.0 / max(waterPerW() * along, 1e-9);
   vec3 haze = waterHaze(point.ray, -waterSide * point.ray.z, way);
   return mix(haze * waterShaftsAlong(point.ray, way), color, waterLeft(way));
 }
