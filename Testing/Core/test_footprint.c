@@ -223,7 +223,35 @@ TEST(a_slope_is_a_surface)
   }
 }
 
-TESTS(a_slope_is_a_surface, walls_along_two_thirds_of_the_rim_are_enough,
-  a_wall_is_four_fifths_as_thick, a_flat_brim_is_no_wall, a_top_at_the_level_is_under_the_water,
+// Pairs of neighbours with a high step between them, of base or top alone, are no thicker than
+// that: both know the other.
+TEST(either_of_two_neighbours_knows_the_step)
+{
+  const double heights[3][4] = { { 0.0, 1.0, 5.0, 6.0 }, { -3.0, 3.0, 3.0, 3.5 },
+    { -3.5, -3.0, -3.0, 3.0 } };
+  for (int i = 0; i < 12; ++i)
+  {
+    const double* height = heights[i / 4];
+    const int axis = i & 1;
+    const int first = i & 2;
+    water_footprint footprint;
+    water_footprint_begin(&footprint);
+    for (int pair = 0; pair < 9; ++pair)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        const int along = 3 * (pair % 3) + (k / 2 + first / 2) % 2;
+        const int across = 2 * (pair / 3);
+        water_footprint_add(
+          axis == 0 ? along : across, axis == 0 ? across : along, height[k], &footprint);
+      }
+    }
+    assert_int_equal(water_footprint_shape_of(&footprint), WATER_FOOTPRINT_SURFACE);
+  }
+}
+
+TESTS(either_of_two_neighbours_knows_the_step, a_slope_is_a_surface,
+  walls_along_two_thirds_of_the_rim_are_enough, a_wall_is_four_fifths_as_thick,
+  a_flat_brim_is_no_wall, a_top_at_the_level_is_under_the_water,
   half_of_the_cells_with_a_gap_make_a_solid, fifteen_cells_are_a_surface, cells_in_use_are_known,
   a_fiftieth_of_the_top_is_under_the_water, walls_make_a_block)

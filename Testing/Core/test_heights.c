@@ -459,6 +459,42 @@ TEST(a_few_faces_and_those_without_values_tell_nothing)
   assert_true(none.cut == 0 && !water_heights_are_beds(&none));
 }
 
+// Faces of a relief of 1 whose level is their bed's mean, from low to high; the others are cut well
+// over it.
+static water_heights_faces films(int at_bed, int others, double low, double high)
+{
+  water_heights_faces faces = { 0 };
+  for (int i = 0; i < at_bed + others; ++i)
+  {
+    const double mean = i < at_bed ? low + (high - low) * i / (at_bed - 1.0) : 0.0;
+    const double beds[2] = { mean - 0.5, mean + 0.5 };
+    water_heights_add_face(mean + (i < at_bed ? 0.01 : 0.4), beds, 2, 0.001, &faces);
+  }
+  return faces;
+}
+
+// Each limit by itself: more than half of the faces, 20 of them, levels over more than four
+// reliefs.
+TEST(limits_of_dry_faces_are_exact)
+{
+  const water_heights_faces half = films(40, 40, 0.0, 9.0);
+  const water_heights_faces more = films(41, 40, 0.0, 9.0);
+  assert_true(half.at_bed == 40 && half.cut == 80);
+  assert_false(water_heights_are_beds(&half));
+  assert_true(water_heights_are_beds(&more));
+  const water_heights_faces twenty = films(20, 0, -3.0, 3.0); // also about 0
+  assert_true(twenty.cut == 20 && water_heights_are_beds(&twenty));
+  water_heights_faces flat = { .cut = 64, .at_bed = 64, .wet = 64, .relief = 64.0, .high = 4.0 };
+  assert_false(water_heights_are_beds(&flat));
+  flat.high = 4.001;
+  assert_true(water_heights_are_beds(&flat));
+  water_heights_faces near = { 0 };
+  const double beds[2] = { 0.0, 10.0 };
+  water_heights_add_face(
+    6.0, beds, 2, 1.0, &near); // a tenth of the relief over the mean, and as deep as a dry place
+  assert_true(near.at_bed == 1 && near.wet == 0);
+}
+
 TEST(three_heights_must_agree_where_it_is_wet)
 {
   coast fine = coast_of(320.0, 400.0, 384.0, 0.1);
@@ -483,27 +519,32 @@ TEST(heights_of_dry_land_agree)
   const double land[2] = { 3.0, 4.0 };
   const double none[2] = { 0.0, 0.0 };
   assert_false(water_heights_compare(land, none, land, 2, 0.0).is_wrong);
+  const double film[2] = { 0.01, 0.01 };
+  assert_true(
+    water_heights_compare(land, film, none, 2, 0.01).off == 0.0); // as deep as a dry place
 }
 
 TEST(depths_that_are_negative_have_the_wrong_sign)
 {
   assert_true(water_heights_are_negative(-5.0, -1e-9, 1.0));
   assert_true(water_heights_are_negative(-5.0, 0.0, 1.0));
+  assert_true(water_heights_are_negative(-5.0, -5.0, 1.0));
   assert_false(water_heights_are_negative(-1.0, 0.0, 1.0)); // of a dry step
   assert_false(water_heights_are_negative(0.0, 0.0, 0.0));
   assert_false(water_heights_are_negative(-5.0, 1e-9, 0.0));
   assert_false(water_heights_are_negative(1.0, -1.0, 0.0)); // there are none
 }
 
-TESTS(heights_of_dry_land_agree, a_flat_bed_at_a_hundredth_of_the_level_is_right,
-  a_twentieth_under_the_land_tells_nothing, depths_that_are_negative_have_the_wrong_sign,
-  three_heights_must_agree_where_it_is_wet, levels_of_dry_faces_are_found,
-  dry_faces_that_are_not_shown_are_no_matter, a_shore_is_no_dry_land, a_level_shore_is_no_dry_land,
-  a_few_faces_and_those_without_values_tell_nothing, places_without_values_tell_nothing,
-  nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_evidence,
-  a_thousandth_of_the_depth_is_no_evidence, dry_places_tell_the_unit_of_a_level_of_0,
-  dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
-  marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
-  a_flat_tank_has_no_wrong_unit, dry_land_tells_the_unit_of_the_level,
-  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found,
-  depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine, two_heights_are_needed)
+TESTS(limits_of_dry_faces_are_exact, heights_of_dry_land_agree,
+  a_flat_bed_at_a_hundredth_of_the_level_is_right, a_twentieth_under_the_land_tells_nothing,
+  depths_that_are_negative_have_the_wrong_sign, three_heights_must_agree_where_it_is_wet,
+  levels_of_dry_faces_are_found, dry_faces_that_are_not_shown_are_no_matter, a_shore_is_no_dry_land,
+  a_level_shore_is_no_dry_land, a_few_faces_and_those_without_values_tell_nothing,
+  places_without_values_tell_nothing, nine_places_are_too_few, flat_land_tells_nothing,
+  films_of_water_are_no_evidence, a_thousandth_of_the_depth_is_no_evidence,
+  dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
+  no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
+  the_height_in_another_unit_is_found, a_flat_tank_has_no_wrong_unit,
+  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
+  a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
+  two_heights_are_needed)
