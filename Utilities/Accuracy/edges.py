@@ -50,8 +50,8 @@ $count random scenes ($seeds), $width x $height pixels: rocks and posts in clear
 over beds with and without a shore. The table gives the RMSE (of 255) of the pixels that are at most $near pixels from an
 edge of the water. The reference has 64 samples per pixel. The same is measured with an opaque plane instead of the
 water. The last columns give the RMSE of the whole picture, with the water, and with neither water nor plane. If the
-driver supports fewer samples than a mode requests, the mode uses as many as it supports. frames-4 is the mean of four pictures, each drawn in full with all pixels shifted
-to one of the four sample positions. frames-8 and frames-16 are the same with more samples. samples-4 to samples-16 are means of that many of the reference's own 64 samples: no
+driver supports fewer samples than a mode requests, the mode uses as many as it supports. For frames-4 the scene is rendered four times, each time
+shifted to one of the four sample positions, and the mean is taken; frames-8 and frames-16 likewise. samples-4 to samples-16 are means of that many of the reference's own 64 samples: no
 picture with so many samples can be better. On an NVIDIA H200, which has 16 samples, the median ratios are 1.02 with
 MSAA-2, 1.05 with MSAA-4, 1.25 with MSAA-8 (frames-8: 1.24), and 1.22 with MSAA-16 (frames-16: 1.38).
 

@@ -58,9 +58,9 @@ Reasons that the module reports, all scenes together, default quality:
 
 $reasons
 
-The scenes with the largest ratios, default quality. "From what the mirrored view lacks" is the ratio of a picture that
-has the correct colour wherever the mirrored view contains the point that a ray meets; "pixels that it lacks" is the
-share of the other pixels.
+The scenes with the largest ratios, default quality. For "from what the mirrored view lacks", every
+pixel whose ray meets a point that the mirrored view shows gets its correct colour; the ratio that is left comes from
+the other pixels. "Pixels that it lacks" is their share.
 
 $worst
 
