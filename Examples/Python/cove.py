@@ -158,9 +158,10 @@ def main():
         camera.SetFocalPoint(-3.0, 2.9, height + 0.1)
         camera.SetViewAngle(62.0)
     elif eye == "below":
-        camera.SetPosition(4.0, -7.0, -1.6)
-        camera.SetFocalPoint(-1.0, 3.0, -0.9)
-        camera.SetViewAngle(60.0)
+        water.GetWaterProperty().SetLightShafts(0.6)
+        camera.SetPosition(4.0, -7.0, -1.7)
+        camera.SetFocalPoint(-1.0, 3.0, 1.2)  # up to Snell's window, which begins 41 degrees over the horizon
+        camera.SetViewAngle(75.0)
     else:
         camera.SetPosition(1.0, -12.0, 4.2)
         camera.SetFocalPoint(-2.0, 1.0, 0.0)
