@@ -223,8 +223,16 @@ TEST(columns_are_those_of_single_points)
     const bool said = water_shore_columns(&rows, ROWS, 0.001);
     for (int i = 0; i < ROWS; ++i)
     {
-      const water_column column = water_shore_column(has & 1 ? given[0][i] : (double)NAN,
-        has & 2 ? given[1][i] : (double)NAN, has & 4 ? given[2][i] : (double)NAN, 0.001);
+      const water_column column =
+        water_shore_column(has & 1 ? water_shore_given(given[0][i]) : (double)NAN,
+          has & 2 ? water_shore_given(given[1][i]) : (double)NAN,
+          has & 4 ? water_shore_given(given[2][i]) : (double)NAN, 0.001);
+      bool is_known = true; // a place without a value in an array that is there is dry
+      for (int k = 0; k < 3; ++k)
+      {
+        is_known = is_known && (!(has & (1 << k)) || isfinite(given[k][i]));
+      }
+      assert_true(is_known || !column.is_wet);
       const double level = column.is_wet ? column.level : (double)NAN;
       const double depth = water_shore_depth(column.is_wet, level, column.bed);
       const double kept = water_shore_level(level, column.bed);

@@ -18,6 +18,16 @@ double water_shore_known(double height)
   return is_beyond(height) ? (double)NAN : height;
 }
 
+static inline double given_of(double height)
+{
+  return isnan(height) ? (double)INFINITY : height;
+}
+
+double water_shore_given(double height)
+{
+  return given_of(height);
+}
+
 static inline water_column column_of(double level, double bed, double depth, double dry_depth)
 {
   const bool has_depth = !isnan(depth);
@@ -90,9 +100,10 @@ WATER_WIDE static bool find_columns(const water_shore_rows* rows, size_t count, 
   size_t odd = 0;
   for (size_t i = 0; i < count; ++i)
   {
-    const water_column column = column_of(rows->given_levels ? rows->given_levels[i] : (double)NAN,
-      rows->given_beds ? rows->given_beds[i] : (double)NAN,
-      rows->given_depths ? rows->given_depths[i] : (double)NAN, dry_depth);
+    const water_column column =
+      column_of(rows->given_levels ? given_of(rows->given_levels[i]) : (double)NAN,
+        rows->given_beds ? given_of(rows->given_beds[i]) : (double)NAN,
+        rows->given_depths ? given_of(rows->given_depths[i]) : (double)NAN, dry_depth);
     const double level = column.is_wet ? column.level : (double)NAN;
     const double depth = depth_of(column.is_wet, level, column.bed);
     rows->are_wet[i] = column.is_wet;

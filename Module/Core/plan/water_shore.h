@@ -30,9 +30,12 @@ typedef struct water_column
 // A height or depth as it is given; NaN if it is such a fill value.
 double water_shore_known(double height);
 
+// A value of an array that a solver gives: NaN marks a place without a value, as a fill value does,
+// and becomes one.
+double water_shore_given(double height);
+
 // Completes the heights that a solver gives for a place; pass NaN for those that it does not give.
-// With all three, the depth determines whether the place is wet. With the level alone, or with
-// level and depth but no bed, it is wet.
+// With a depth, that determines whether the place is wet. With the level alone it is wet.
 //
 // dry_depth  a place with no more water than that is dry, >= 0
 //
@@ -51,7 +54,7 @@ double water_shore_depth(bool is_wet, double level, double bed);
 // What a solver gives of points, and what is found of them: rows of the same length.
 typedef struct water_shore_rows
 {
-  const double* given_levels; // NULL: not given
+  const double* given_levels; // NULL: not given; NaN is a fill value
   const double* given_beds;
   const double* given_depths;
   double* levels; // as of water_shore_level; that of land is its bed's

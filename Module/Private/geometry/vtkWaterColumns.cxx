@@ -155,7 +155,9 @@ void vtkWaterColumns::MakeOfPoints(vtkPolyData* mesh, const Given& given)
       const double bed = isBedHere ? this->Beds[static_cast<size_t>(i)]
         : isBedOfPlaces            ? places->GetComponent(i, 2)
                                    : beds[i];
-      isOddHere = make(&level, &bed, &depth, i, 1) || isOddHere;
+      isOddHere = make(given.Level ? &level : nullptr, given.Bed || isBedOfPlaces ? &bed : nullptr,
+                    given.Depth ? &depth : nullptr, i, 1) ||
+        isOddHere;
     }
     if (isOddHere)
     {
@@ -228,8 +230,11 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
       std::for_each(points, points + count,
         [&](vtkIdType point) { own.Add(this->Beds[static_cast<size_t>(point)]); });
       const double bed = given.IsBedOfCells ? givenBeds[cell] : own.Get();
+      const bool hasBed = given.Bed || !given.Level;
       const water_column column =
-        water_shore_column(givenLevels[cell], bed, givenDepths[cell], given.DryDepth);
+        water_shore_column(given.Level ? water_shore_given(givenLevels[cell]) : vtkMath::Nan(),
+          hasBed ? water_shore_given(bed) : vtkMath::Nan(),
+          given.Depth ? water_shore_given(givenDepths[cell]) : vtkMath::Nan(), given.DryDepth);
       this->IsCellWet[static_cast<size_t>(cell)] = column.is_wet;
       if (areLevelsInDoubt)
       {
