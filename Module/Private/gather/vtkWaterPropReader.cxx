@@ -81,7 +81,7 @@ uint32_t ReadFlags(vtkProp* prop, bool hasStandIn, const vtkWaterSnapshot& mirro
   {
     flags |= WATER_PROP_NOT_REFLECTED;
   }
-  if (prop->IsA("vtkActor2D"))
+  if (vtkWaterProps::IsOverlay(prop))
   {
     flags |= WATER_PROP_OVERLAY;
   }

@@ -13,6 +13,7 @@
 #include "vtkShadowMapPass.h"
 #include "vtkVersionMacros.h"
 #include "vtkWaterPropRecords.h"
+#include "vtkWaterProps.h"
 
 #include <algorithm>
 #include <cstring>
@@ -88,7 +89,7 @@ void vtkWaterSignature::AddShadows(
   for (size_t i = 0; i < records.GetCount(); ++i)
   {
     vtkProp* prop = records.GetProp(i);
-    if (prop->GetVisibility() && !prop->IsA("vtkActor2D"))
+    if (prop->GetVisibility() && !vtkWaterProps::IsOverlay(prop))
     {
       this->AddProp(prop, records.GetOwnStamp(renderer, i));
     }

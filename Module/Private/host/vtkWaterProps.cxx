@@ -229,6 +229,23 @@ vtkPropCollection* vtkWaterProps::GetParts(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterProps::IsOverlay(vtkProp* prop)
+{
+  if (prop->IsA("vtkActor2D"))
+  {
+    return true;
+  }
+  if (!prop->IsA("vtkWidgetRepresentation") || prop->GetBounds())
+  {
+    return false;
+  }
+  vtkNew<vtkPropCollection> parts;
+  prop->GetActors(parts);
+  prop->GetVolumes(parts);
+  return parts->GetNumberOfItems() == 0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterProps::HoldsWater(vtkProp* prop)
 {
   return HasAny(prop, [](vtkProp* part) { return part->IsA("vtkWaterActor") != 0; });
