@@ -150,6 +150,23 @@ TEST(lights_that_do_not_shine_add_nothing)
   }
 }
 
-TESTS(lights_that_do_not_shine_add_nothing, encoding_is_the_standards, values_outside_are_clamped,
-  lights_add_by_lamberts_law, lights_that_are_none_add_nothing, sky_adds_the_mean_of_its_light,
-  deep_color_is_what_comes_back, waters_are_not_black_under_the_sky, plan_has_the_scenes_daylight)
+// Without a sun foam is a white card under all light; with one the sun's part is the shader's.
+TEST(foam_is_lit_by_the_daylight)
+{
+  const double daylight[3] = { 0.0, 0.5, 3.0 };
+  double light[3];
+  water_daylight_foam(daylight, false, light);
+  ASSERT_CLOSE(light[0], WATER_FOAM_SKY, 0.0);
+  ASSERT_CLOSE(light[1], water_display_encode(0.5), 0.0);
+  ASSERT_CLOSE(light[2], 1.0, 1e-12);
+  water_daylight_foam(daylight, true, light);
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(light[i], WATER_FOAM_SKY, 0.0);
+  }
+}
+
+TESTS(foam_is_lit_by_the_daylight, lights_that_do_not_shine_add_nothing, encoding_is_the_standards,
+  values_outside_are_clamped, lights_add_by_lamberts_law, lights_that_are_none_add_nothing,
+  sky_adds_the_mean_of_its_light, deep_color_is_what_comes_back, waters_are_not_black_under_the_sky,
+  plan_has_the_scenes_daylight)

@@ -55,3 +55,11 @@ void water_daylight_deep_color(
     color[i] = water_display_encode(reflectance[i] * daylight[i]);
   }
 }
+
+void water_daylight_foam(const double daylight[3], bool has_sun, double light[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    light[i] = has_sun ? WATER_FOAM_SKY : fmax(water_display_encode(daylight[i]), WATER_FOAM_SKY);
+  }
+}

@@ -2,6 +2,7 @@
 // vtkWaterFoamFS.glsl: slot foam: at the shore and on crests, as a lace of bubbles.
 
 uniform vec3 waterFoamColor;
+uniform vec3 waterFoamSky; // share of it that all light but the sun's shows; water_daylight_foam
 uniform float waterFoamDepth;    // depth of water over which the shore's foam ends; 0: none
 uniform float waterFoamJacobian; // crests are foam where their points are closer than this; 0: no foam
 uniform vec2 waterPatternOrigin; // of the foam's pattern, m, from the point under the eye
@@ -95,5 +96,5 @@ float waterFoamShare(WaterPoint point)
 // sun  light of the sun that arrives
 vec3 waterFoamLit(WaterPoint point, vec3 sun)
 {
-  return waterFoamColor * (0.35 + 0.65 * sun * clamp(dot(point.normal, waterSunDir) * waterSide, 0.0, 1.0));
+  return waterFoamColor * (waterFoamSky + 0.65 * sun * clamp(dot(point.normal, waterSunDir) * waterSide, 0.0, 1.0));
 }

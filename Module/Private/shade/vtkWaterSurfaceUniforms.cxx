@@ -16,6 +16,7 @@
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
 #include "water_beyond.h"
+#include "water_daylight.h"
 #include "water_flatness.h"
 #include "water_glitter.h"
 #include "water_lookup.h"
@@ -361,6 +362,9 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterFoamDepth", look.FoamDepth);
   uniforms::Set(program, "waterFoamJacobian", look.FoamJacobian);
   uniforms::Set3(program, "waterFoamColor", look.FoamColor);
+  double foamSky[3];
+  water_daylight_foam(plan.daylight, plan.has_sun, foamSky);
+  uniforms::Set3(program, "waterFoamSky", foamSky);
   double pattern[2];
   water_lookup_pattern(plan.origin_xy, look.MetresPerUnit, pattern);
   uniforms::Set2(program, "waterPatternOrigin", pattern);
