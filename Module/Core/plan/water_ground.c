@@ -73,8 +73,8 @@ void water_ground_add_bounds(const double bounds[6], water_ground* ground)
   to_axes(ground, top, place);
   const double* scene = ground->bounds;
   const double area = (scene[1] - scene[0]) * (scene[3] - scene[2]);
-  const double covered = (fmin(box[1], scene[1]) - fmax(box[0], scene[0])) *
-    (fmin(box[3], scene[3]) - fmax(box[2], scene[2]));
+  const double covered = fmax(fmin(box[1], scene[1]) - fmax(box[0], scene[0]), 0.0) *
+    fmax(fmin(box[3], scene[3]) - fmax(box[2], scene[2]), 0.0);
   if (area > 0.0 && covered >= wide * area)
   {
     ground->bed_top = fmin(ground->bed_top, place[2]);

@@ -2,17 +2,46 @@
 #include "vtkWaterPolygons.h"
 
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkGenericCell.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <map>
 
 namespace
 {
+// The number of points that a cell of a type has; 0: any number.
+vtkIdType PointsOfType(int type)
+{
+  auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+  return cell ? cell->GetNumberOfPoints() : 0;
+}
+
+// The first cell with fewer points than its type has; empty: there is none.
+std::string FindMissingCorner(vtkUnstructuredGrid* grid)
+{
+  std::map<int, vtkIdType> wanted;
+  std::string wrong;
+  vtkWaterForEachCell(grid->GetCells(), [&](vtkIdType cell, const vtkIdType*, vtkIdType count) {
+    const int type = grid->GetCellType(cell);
+    auto known = wanted.find(type);
+    known = known == wanted.end() ? wanted.emplace(type, PointsOfType(type)).first : known;
+    if (wrong.empty() && count < known->second)
+    {
+      wrong = "cell " + std::to_string(cell) + " has " + std::to_string(count) +
+        (count == 1 ? " point" : " points") + "; cells of its type (" + std::to_string(type) +
+        ") have " + std::to_string(known->second);
+    }
+  });
+  return wrong;
+}
+
 // What is wrong with the offsets of cells, which must ascend from 0 and end in the list of points;
 // empty: nothing is.
 std::string FindWrongOffset(vtkCellArray* cells)
@@ -112,7 +141,8 @@ std::string vtkWaterFindWrongPoint(vtkDataSet* input)
   const vtkIdType points = input->GetNumberOfPoints();
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input))
   {
-    return FindWrongPoint(grid->GetCells(), 0, points);
+    const std::string wrong = FindWrongPoint(grid->GetCells(), 0, points);
+    return wrong.empty() && grid->GetCells() ? FindMissingCorner(grid) : wrong;
   }
   std::string wrong = FindMissingPoint(input);
   if (auto* mesh = vtkPolyData::SafeDownCast(input))
