@@ -320,9 +320,9 @@ public:
   /**
    * Height and normal of the waves at a point, at the actor's time, for example for buoys and
    * picks. x, y and the normal's first two components are in the plane's own axes (SetSheetBounds);
-   * its third component is along the plane's normal. The height is above the plane, in metres. A
-   * wind sea is included, bilinear between the points of its tile. Without waves the results are 0
-   * and (0, 0, 1). They are NaN if the point is not finite.
+   * its third component is along the plane's normal. The height is above the plane, in the scene's
+   * unit. A wind sea is included, bilinear between the points of its tile. Without waves the
+   * results are 0 and (0, 0, 1). They are NaN if the point is not finite.
    */
   double GetWaveHeight(double x, double y);
   void GetWaveNormal(double x, double y, double normal[3]) VTK_SIZEHINT(normal, 3);

@@ -37,7 +37,7 @@ def heights_along(renderer, unit, normal, origin):
     if not vtkMath.AreBoundsInitialized(bounds):
         return None
     scale = renderer.scale
-    length = vtkMath.Norm(axis_of(normal))
+    length = math.hypot(*axis_of(normal))
     base = vtkMath.Dot(plane_of(0.0, normal, origin, scale)[0], unit)
     ends = [sorted((part * bounds[2 * i], part * bounds[2 * i + 1])) for i, part in enumerate(unit)]
     low, high = ((sum(end[i] for end in ends) - base) / length for i in range(2))

@@ -2,6 +2,7 @@
 """The options of the command vtkwater, and what they accept."""
 import argparse
 import difflib
+import json
 import math
 import re
 
@@ -9,7 +10,7 @@ from . import __version__, movies, pictures, readers, vtkWaterProperty
 from .data_command import DATA_ELEVATION, add_data_arguments, time_range
 from .words import QUALITIES, TURBIDITY
 
-__all__ = ["TERRAIN_ELEVATION", "make_parser"]
+__all__ = ["TERRAIN_ELEVATION", "Parser", "make_parser"]
 
 TERRAIN_ELEVATION = 8  # degrees; it shows the reflections
 EXAMPLES = """examples:
@@ -25,6 +26,8 @@ WRONG_USAGE = 2  # exit status
 
 class Parser(argparse.ArgumentParser):
     """Accepts options only by their full names; for an unknown one, the error suggests the closest."""
+
+    is_json = False  # are errors JSON?
 
     def __init__(self, *arguments, **words):
         super().__init__(*arguments, allow_abbrev=False, **words)
@@ -54,6 +57,8 @@ class Parser(argparse.ArgumentParser):
         if unknown:
             close = difflib.get_close_matches(unknown.group(1), sorted(set(self.options())), 1)
             message = f"{unknown.group(1)} is not an option" + (f"; did you mean {close[0]}?" if close else "")
+        if Parser.is_json:
+            print(json.dumps({"error": message}, ensure_ascii=False), flush=True)
         self.exit(WRONG_USAGE, f"{self.prog}: error: {message}; see {self.prog} --help\n")
 
 
@@ -140,7 +145,7 @@ def add_scene_arguments(parser):
     water = parser.add_argument_group("the water")
     water.add_argument("--preset", type=preset, metavar="NAME",
                        help="pool, lake, 'clear tropical', 'ocean wind 5', 'ocean wind 10', 'ocean wind 15', "
-                            "'turbid river' or 'mirror floor'; default: a calm, deep lake")
+                            "'turbid river' or 'mirror floor'; default: a calm, clear lake")
     water.add_argument("--wind", type=wind, metavar="M/S",
                        help="wind sea for this wind speed, 0.1 to 100; replaces the preset's waves; "
                             "0: calm water")

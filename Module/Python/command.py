@@ -6,13 +6,14 @@ frames are kept.
 """
 import json
 import os
+import re
 import select
 import sys
 import warnings
 from pathlib import Path
 
 from . import __version__, backend, movies, readers, solutions, vtkWaterProperty
-from .arguments import TERRAIN_ELEVATION, make_parser
+from .arguments import TERRAIN_ELEVATION, Parser, make_parser
 from .data_command import check_data, is_data, make_data_water, report, time_of
 from .errors import text_of
 from .pictures import check_picture
@@ -168,6 +169,8 @@ def animate(arguments):
         water = make_data_water(arguments, words_of(arguments), empty_scene)
         scene = water.scene
         first, last = arguments.times or (water.solution.times[0], water.solution.times[-1])
+        water.solution.check_time(first)
+        water.solution.check_time(last)
 
         def show(share):
             water.show(first + (last - first) * share)
@@ -291,15 +294,32 @@ def has_no_reader():
     return any(event & select.POLLERR for _, event in poll.poll(0))
 
 
+NUMBERS = re.compile(r"-[\d.][\d.eE+:,-]*")  # that begin with a minus, such as -1:1
+
+
+def joined(arguments):
+    """With --option=-1:1 for --option -1:1, which is two options to argparse."""
+    made = []
+    for argument in arguments:
+        if made and re.fullmatch(r"--[\w-]+", made[-1]) and NUMBERS.fullmatch(argument):
+            made[-1] += f"={argument}"
+        else:
+            made.append(argument)
+    return made
+
+
 def run(arguments):
     parser = make_parser()
+    arguments = joined(sys.argv[1:] if arguments is None else arguments)
+    Parser.is_json = "--json" in arguments
     arguments = parser.parse_args(arguments)
     if arguments.command != "info":
         check_words(parser.of(arguments.command), arguments)
         check_data(parser.of(arguments.command), arguments)
-    warnings.simplefilter("ignore")  # of the packages beneath
     try:
-        return {"render": render, "animate": animate, "view": view, "info": info}[arguments.command](arguments)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of the packages beneath
+            return {"render": render, "animate": animate, "view": view, "info": info}[arguments.command](arguments)
     except (Failure, OSError, ValueError, ImportError) as error:
         if isinstance(error, BrokenPipeError) and has_no_reader():
             return DONE

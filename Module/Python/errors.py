@@ -38,6 +38,7 @@ def heed(thing, tell):
     thing.AddObserver("WarningEvent", pass_on)
 
 
+WORD = re.compile(r"'[^']*'|\"[^\"]*\"|\w+")  # what is quoted is the user's
 # The part of an error that says which value stays; the exception leaves it out.
 KEPT = re.compile(r" (It stays|They stay|The water stays|It is not added).*$", re.DOTALL)
 
@@ -71,4 +72,4 @@ def raising(*objects, **words):
             thing.RemoveObserver(tag)
     if texts:
         text = KEPT.sub("", texts[0])
-        raise ValueError(re.sub(r"\w+", lambda word: words.get(word.group(), word.group()), text))
+        raise ValueError(WORD.sub(lambda word: words.get(word.group(), word.group()), text))

@@ -415,7 +415,8 @@ def surface_of(water):
         mapper.Update()
         if mapper.GetInput() is None:
             raise ValueError("water has a mapper without a mesh")
-        surface = polygons_of(mapper.GetInput())
+        surface = mapper.GetInput()
+    surface = polygons_of(surface)
     if surface.GetNumberOfPoints():
         places = vtk_to_numpy(surface.GetPoints().GetData())
         wrong = np.flatnonzero(~np.isfinite(places).all(axis=1))

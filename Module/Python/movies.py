@@ -4,7 +4,7 @@
     with open_movie("tide.gif", frames_per_second=12) as movie:
         movie.add(picture)    # rows x columns x RGB of 8 bits
 
-Finished pictures are kept, even if an exception ends the block. `interrupts()` makes Ctrl-C wait until the current
+Finished pictures are kept, even if an exception ends the block. Without any, a file of that name stays as it was. `interrupts()` makes Ctrl-C wait until the current
 picture is complete:
 
     with interrupts() as is_stopped:
@@ -13,6 +13,7 @@ picture is complete:
                 break
 """
 import contextlib
+import math
 import signal
 from pathlib import Path
 
@@ -38,7 +39,13 @@ def interrupts():
 
 
 def open_movie(file, frames_per_second):
-    """Open a movie for writing. Raises ValueError for an unknown file type or a missing package, OSError like open."""
+    """Open a movie for writing.
+
+    Raises ValueError for an unknown file type, a missing package, or frames per second that are not finite and more
+    than 0; OSError like open.
+    """
+    if not (math.isfinite(frames_per_second) and frames_per_second > 0.0):
+        raise ValueError(f"frames_per_second is {frames_per_second:g}; it must be more than 0, and finite")
     suffix = Path(file).suffix.lower()
     if not suffix:
         return Folder(file)
@@ -55,6 +62,21 @@ def pillow(file):
     except ImportError:
         raise ValueError(f"{file}: writing needs Pillow: pip install pillow (Debian: python3-pil)") from None
     return Image
+
+
+class Place:
+    """Where a movie goes. The file that is there is kept until the first picture is written."""
+
+    def __init__(self, file):
+        self.file = Path(file)
+        self._is_new = not self.file.exists()
+        with open(file, "ab"):
+            pass  # an error is reported now, in Python's words
+
+    def leave(self):
+        """No picture was made: leave no empty file."""
+        if self._is_new:
+            self.file.unlink(missing_ok=True)
 
 
 class Movie:
@@ -83,7 +105,7 @@ class Folder(Movie):
 class Gif(Movie):
     def __init__(self, file, frames_per_second):
         self._image = pillow(file)
-        self._file = open(file, "wb")
+        self._place = Place(file)
         self._duration_ms = round(1000.0 / frames_per_second)
         self._frames = []
 
@@ -94,10 +116,11 @@ class Gif(Movie):
         self._frames.append(self._image.fromarray(picture).quantize(colors=256, method=method))
 
     def close(self):
-        if self._frames:
-            self._frames[0].save(self._file, format="GIF", save_all=True, append_images=self._frames[1:],
-                                 duration=self._duration_ms, loop=0)
-        self._file.close()
+        if not self._frames:
+            self._place.leave()
+            return
+        self._frames[0].save(self._place.file, format="GIF", save_all=True, append_images=self._frames[1:],
+                             duration=self._duration_ms, loop=0)
 
 
 class Mp4(Movie):
@@ -107,12 +130,16 @@ class Mp4(Movie):
             import imageio_ffmpeg  # noqa: F401  the encoder
         except ImportError:
             raise ValueError(f"{file}: writing MP4 needs imageio: pip install imageio imageio-ffmpeg") from None
-        with open(file, "wb"):
-            pass  # an error is said here, in Python's words
-        self._writer = imageio.get_writer(file, fps=frames_per_second, macro_block_size=2)
+        self._place = Place(file)
+        self._open = lambda: imageio.get_writer(file, fps=frames_per_second, macro_block_size=2)
+        self._writer = None
 
     def add(self, picture):
+        self._writer = self._writer or self._open()
         self._writer.append_data(picture)
 
     def close(self):
-        self._writer.close()
+        if self._writer is None:
+            self._place.leave()
+        else:
+            self._writer.close()

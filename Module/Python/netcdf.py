@@ -44,6 +44,7 @@ def open_netcdf(path):
         text = str(error)
         if not any(words in text for words in NO_MESH_OF_VTK):
             hint = f"; {text.removeprefix(f'{path}: ')}"
+    check_dimensions(path)
     reader = cf_reader(path)
     check_times(path, times_of(path))
     names = names_of(reader)
@@ -69,7 +70,7 @@ class Grid(Reader):
     @functools.cached_property
     def is_lonlat(self):
         """By the names of the dimensions, or because VTK finds degrees and puts them on a sphere."""
-        north, east = re.findall(r"\w+", self._dimensions)
+        north, east = (name.strip() for name in self._dimensions.strip("()").split(","))
         if re.match("lat", north, re.IGNORECASE) and re.match("lon", east, re.IGNORECASE):
             return True
         flat = self.read(0)
@@ -104,7 +105,7 @@ class Mesh(Reader):
         found = [False, False]
         reader = cf_reader(self._path)
         dimensions = values_of(reader.GetVariableDimensions())
-        for lines in {each for each in dimensions if re.fullmatch(r"\(\w+\)", each)}:
+        for lines in {each for each in dimensions if re.fullmatch(r"\([^,]+\)", each)}:
             data = self._variables([name for name, each in zip(names_of(reader), dimensions) if each == lines])
             arrays = data.GetPointData()
             for i in range(arrays.GetNumberOfArrays()):
@@ -141,6 +142,21 @@ def cf_reader(path):
         reader.SetFileName(str(path))
         reader.UpdateMetaData()
     return reader
+
+
+def check_dimensions(path):
+    """VTK's reader crashes on a dimension without entries, as of a run that has just begun. Needs the package netCDF4."""
+    try:
+        from netCDF4 import Dataset
+    except ImportError:
+        return
+    try:
+        with Dataset(path) as file:
+            empty = [name for name, dimension in file.dimensions.items() if len(dimension) == 0]
+    except (OSError, RuntimeError):  # VTK's reader tells what is wrong
+        return
+    if empty:
+        raise FileError(f"{path}: has no step or no place: the dimension '{empty[0]}' is empty")
 
 
 def times_of(path):

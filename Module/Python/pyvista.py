@@ -24,7 +24,7 @@ from .sliders import add_water_level_slider
 from .surfaces import (check_has_water, check_level, color_surface, exaggeration_of, lakes_of, level_and_surface,
                        plane_of, surface_of)
 from .vertex_data import VertexData
-from .words import finite, flag, in_range, number, numbers, set_look, whole_in_range
+from .words import finite, flag, in_range, number, numbers, of_type, set_look, whole_in_range
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
 
@@ -158,6 +158,7 @@ def add_water(
         Whether a wind sea has foam where its crests break; a number is the time in seconds, 0 to 10, after which 1/e
         of such foam is left (0: it vanishes with the crest), and True means 3.5. Whitecaps need a wind sea. The default
         is False.
+
     refraction : bool, optional
         Whether the scene is visible through the surface, refracted and attenuated. By default the preset decides.
         Without a preset the default is True, unless ``color`` or ``opacity`` is given.
@@ -316,7 +317,15 @@ def add_water(
     -0.2
     """
     level, surface = level_and_surface(water, level, surface)
+    if name is not None and not of_type("name", name, str):
+        raise ValueError("name is ''; it must have a letter, or be None")
+    if shadows is not None:
+        shadows = flag("shadows", shadows)
+    scalar_bar = flag("scalar_bar", scalar_bar)
+    log_scale = flag("log_scale", log_scale)
     scale = self.renderer.scale
+    if not all(0.0 < factor < float("inf") for factor in scale):
+        raise ValueError(f"the plotter's scale is {tuple(scale)}; its factors (set_scale) must be finite and more than 0")
     if pv.global_theme.jupyter_backend in DRAWN_BY_VTK_JS:
         warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which cannot "
                       "draw water and leaves it out; call pyvista.set_jupyter_backend('server')", stacklevel=2)
@@ -394,7 +403,10 @@ def add_water(
     if light is not None:
         shine(self.renderer, actor, *light)
     if color_by is not None and scalar_bar:
-        self.add_scalar_bar(color_by, mapper=mapper, render=False)
+        try:
+            self.add_scalar_bar(color_by, mapper=mapper, render=False)
+        except RuntimeError as error:  # PyVista has so many
+            warnings.warn(f"{color_by!r} has no scalar bar: {str(error).rstrip('.')}. Pass scalar_bar=False", stacklevel=2)
     bounds_known = vtkMath.AreBoundsInitialized(actor.GetBounds() or (1, -1, 1, -1, 1, -1))  # also chooses the sheet
     if surface is None and heights is not None:
         is_sheet = bounds is None and not actor.GetSheetToHorizon()
@@ -402,18 +414,21 @@ def add_water(
     if surface is not None and bounds_known:
         tell_distance(mapper.GetBounds() if lakes is not None else actor.GetBounds(), self.renderer)
     if self.renderer.camera_set and not actor.GetSheetToHorizon():
-        widen_clipping_range(self.renderer)
+        widen_clipping_range(self.renderer, actor)
     if render and (actor.GetSheetToHorizon() or bounds_known):
         self.render()  # without bounds there is nothing yet to see
     return actor
 
 
-def widen_clipping_range(renderer):
+def widen_clipping_range(renderer, water):
     """Extend the clipping range: water reaches nearer to the eye, and farther, than the rest of the scene."""
     near, far = renderer.camera.clipping_range
     renderer.reset_camera_clipping_range()
     new_near, new_far = renderer.camera.clipping_range
-    renderer.camera.clipping_range = (min(near, new_near), max(far, new_far))
+    # VTK keeps the near plane at a thousandth of the far one, which may lie beyond the nearest water
+    height = abs(water.GetPlane().EvaluateFunction(renderer.camera.position))
+    nearest = 0.5 * height if height > 0.0 else new_near
+    renderer.camera.clipping_range = (min(near, new_near, nearest), max(far, new_far))
 
 
 def color_of(color):

@@ -14,8 +14,14 @@ from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringOutputWindow, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkDataSetAttributes,
+    vtkGenericCell,
+    vtkImageData,
+    vtkPolyData,
+)
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
@@ -83,6 +89,11 @@ def kind_of(path, kinds):
     return kind
 
 
+def is_no_data(values, no_data):
+    """Which numbers are a no-data value: files state it with more digits than their pixels have."""
+    return (values == no_data) | (values == float(np.float32(no_data)))
+
+
 def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=None):
     """The surface over a grid of heights: rows x columns, from south to north and west to east.
 
@@ -99,7 +110,7 @@ def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=N
     heights = heights[::step, ::step]
     known = np.isfinite(heights)
     if no_data is not None and math.isfinite(no_data):
-        known &= heights != no_data
+        known &= ~is_no_data(heights, no_data)
     beyond = known & (np.abs(heights) > HIGHEST)
     if beyond.any():
         notes.append(f"{beyond.sum()} of its heights, the first is {heights[beyond][0]:g}, are treated as holes; "
@@ -148,6 +159,9 @@ def polygons_of(data):
 
     Hidden cells of grids are left out. vtkPolyData is as it is: VTK draws them.
     """
+    wrong = wrong_cell_of(data)
+    if wrong:
+        raise ValueError(f"the mesh is not valid: {wrong}")
     if data.IsA("vtkPolyData"):
         return data
     surface = vtkDataSetSurfaceFilter()
@@ -248,18 +262,50 @@ def read_mesh(module, name, what):
 
 
 def check_cells(data, path):
-    """Check point indices: readers accept any, and filters crash on cells with missing points."""
+    """Raise FileError for wrong cells: readers accept any, and filters crash on them."""
+    wrong = wrong_cell_of(data)
+    if wrong:
+        raise FileError(f"{path}: {wrong}")
+
+
+def wrong_cell_of(data):
+    """What VTK's filters would crash on: a point that does not exist, or a cell with fewer points than its type has."""
+    count = data.GetNumberOfPoints()
+    if data.IsA("vtkStructuredGrid"):
+        dimensions = [0, 0, 0]
+        data.GetDimensions(dimensions)
+        wanted = math.prod(dimensions)
+        return "" if count >= wanted else f"the grid has {count} points; its dimensions need {wanted}"
     if data.IsA("vtkPolyData"):
         arrays = [data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()]
     elif data.IsA("vtkUnstructuredGrid"):
         arrays = [data.GetCells()]
     else:
-        return
+        return ""
+    first = 0
     for cells in arrays:
         points = vtk_to_numpy(cells.GetConnectivityArray())
-        wrong = points[(points < 0) | (points >= data.GetNumberOfPoints())]
+        wrong = np.flatnonzero((points < 0) | (points >= count))
         if wrong.size:
-            raise FileError(f"{path}: a cell refers to point {wrong[0]}; there are {data.GetNumberOfPoints()}, from 0")
+            cell = first + int(np.searchsorted(vtk_to_numpy(cells.GetOffsetsArray()), wrong[0], side="right")) - 1
+            return f"cell {cell} refers to point {points[wrong[0]]}; there are {count}, from 0"
+        first += cells.GetNumberOfCells()
+    return missing_corner_of(data) if data.IsA("vtkUnstructuredGrid") and data.GetNumberOfCells() else ""
+
+
+def missing_corner_of(grid):
+    sizes = np.diff(vtk_to_numpy(grid.GetCells().GetOffsetsArray()))
+    kept = vtkUnsignedCharArray()  # since 9.6 VTK may have them as one number for all cells
+    kept.DeepCopy(grid.GetCellTypes() if hasattr(grid, "GetDistinctCellTypes") else grid.GetCellTypesArray())
+    types = vtk_to_numpy(kept)
+    for number in np.unique(types):
+        cell = vtkGenericCell.InstantiateCell(int(number))
+        wanted = cell.GetNumberOfPoints() if cell else 0  # 0: any number
+        wrong = np.flatnonzero((types == number) & (sizes < wanted))
+        if wrong.size:
+            return (f"cell {wrong[0]} has {sizes[wrong[0]]} point{'' if sizes[wrong[0]] == 1 else 's'}; "
+                    f"cells of its type ({number}) have {wanted}")
+    return ""
 
 
 def surface_of_image(image: vtkImageData, path, no_data):

@@ -5,7 +5,7 @@ from vtkmodules.vtkRenderingCore import vtkSkybox
 
 from . import vtkWaterClearSkySource
 from .errors import raising
-from .words import LEAST_TURBIDITY, MOST_TURBIDITY, SUN_COLOR, SUN_PLACE, TURBIDITY, in_range, number, numbers
+from .words import LEAST_TURBIDITY, MOST_TURBIDITY, SUN_COLOR, SUN_PLACE, TURBIDITY, in_range, number, numbers, plain
 
 __all__ = ["Sun", "add_clear_sky", "has_scene_light", "shine", "sun_of"]
 
@@ -20,7 +20,7 @@ class Sun(pv.Light):
 
 def sun_of(sun):
     """Azimuth and elevation in degrees."""
-    if isinstance(sun, bool):
+    if isinstance(plain(sun), bool):
         return SUN_PLACE
     if isinstance(sun, str) or not hasattr(sun, "__len__"):
         raise TypeError(f"sun must be a bool, or an azimuth and an elevation, not {type(sun).__name__}")

@@ -134,15 +134,19 @@ class Solution:
         """Forget all steps, so that each is read again when it is requested."""
         self._steps.clear()
 
+    def check_time(self, time):
+        """Raise FileError if a time lies before the first step or after the last."""
+        first, last = self.times[0], self.times[-1]
+        if not first <= time <= last:
+            raise FileError(f"{self.path}: time is {time:g}; it must lie in [{first:g}, {last:g}]")
+
     def at(self, time):
         """Return the mesh at a time: that of a step, or an interpolation between two (vtkTemporalInterpolator).
 
         Two steps are interpolated only if both have the same cells. Otherwise the earlier step is returned, and note
         says so. The time must not lie before the first step, nor after the last.
         """
-        first, last = self.times[0], self.times[-1]
-        if not first <= time <= last:
-            raise FileError(f"{self.path}: time is {time:g}; it must lie in [{first:g}, {last:g}]")
+        self.check_time(time)
         i = bisect.bisect_right(self.times, time) - 1
         mesh = self.step(i)
         if time == self.times[i]:

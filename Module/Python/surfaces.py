@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
 
 from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 from .errors import heed, raising
-from .readers import polygons_of
+from .readers import polygons_of, wrong_cell_of
 from .words import numbers, of_type
 
 __all__ = ["DataSurface", "check_has_water", "check_level", "color_surface", "exaggeration_of", "lakes_of",
@@ -125,7 +125,7 @@ def table_for(values, name, cmap, clim, log_scale):
         raise ValueError(f"clim is ({low:g}, {high:g}); both must be finite, and the first must not exceed the second")
     if log_scale and low <= 0:
         raise ValueError(f"clim is ({low:g}, {high:g}); with log_scale both must be above 0")
-    return table_of(cmap or pv.global_theme.cmap, low, high, bool(log_scale))
+    return table_of(pv.global_theme.cmap if cmap is None else cmap, low, high, bool(log_scale))
 
 
 def table_of(cmap, low, high, log_scale=False):
@@ -173,6 +173,7 @@ def surface_of(surface, level, depth, bed, normal, origin):
         raise ValueError(f"origin is {tuple(origin)}; arrays of heights are measured from 0")
     if surface.n_cells == 0:
         raise ValueError("surface has no cells")
+    check_cells_of(surface)
     data = DataSurface(surface, **given)
     is_known, texts = True, []
     for word, name in given.items():  # water may follow later
@@ -243,7 +244,7 @@ def axis_of(normal):
             raise ValueError(f"normal is {normal!r}; it must be one of {', '.join(axes)}, or three numbers")
         normal = axes[normal.lower()]
     normal = numbers("normal", normal, 3)
-    if not 0.0 < sum(part * part for part in normal) ** 0.5 < float("inf"):
+    if not 0.0 < math.hypot(*normal) < math.inf:
         raise ValueError(f"normal is {tuple(normal)}; it must be finite and not zero")
     return normal
 
@@ -260,7 +261,7 @@ def exaggeration_of(normal, scale):
 def plane_of(level, normal, origin, scale):
     """Origin and normal of the water's plane in the renderer's own coordinates, which are scaled."""
     normal = axis_of(normal)
-    length = sum(part * part for part in normal) ** 0.5
+    length = math.hypot(*normal)
     origin = numbers("origin", origin, 3)
     point = [at + level * part / length for at, part in zip(origin, normal)]
     if not all(abs(part) < float("inf") for part in point):
@@ -279,9 +280,16 @@ class Outside(VTKPythonAlgorithmBase):
         return 1
 
 
+def check_cells_of(surface):
+    wrong = wrong_cell_of(surface)
+    if wrong:
+        raise ValueError(f"surface is not valid: {wrong}")
+
+
 def mapper_of(surface):
     if not isinstance(surface, pv.DataSet):
         raise TypeError(f"surface must be a pyvista.DataSet, not {type(surface).__name__}")
+    check_cells_of(surface)
     mapper = pv.DataSetMapper()
     if isinstance(surface, pv.PolyData):
         mapper.SetInputDataObject(surface)

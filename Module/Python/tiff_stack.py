@@ -16,7 +16,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from .readers import MOST_POINTS, FileError, grid_of_tiff
+from .readers import MOST_POINTS, FileError, grid_of_tiff, is_no_data
 
 __all__ = ["TiffStack", "is_stack"]
 
@@ -196,5 +196,5 @@ class TiffStack:
                                 f"{one[0]:g}, {one[1]:g}, and all files must lie in one place")
         values = np.array(values, dtype=float)
         if no_data is not None:
-            values[values == no_data] = np.nan
+            values[is_no_data(values, no_data)] = np.nan
         return values

@@ -141,13 +141,13 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
             look.SetRefractionSource(look.OWN_VIEW if own_view else look.PICTURE)
         if foam_depth is not None:
             look.SetFoamDepth(foam_depth)
-            look.SetFoamFitsScene(foam is True)
+            look.SetFoamFitsScene(plain(foam) is True)
         if strength is not None:
             look.SetCaustics(strength)
         if shafts is not None:
             look.SetLightShafts(shafts)
         if shadows is not None:
-            look.SetShadows(shadows)
+            look.SetShadows(flag("shadows", shadows))
         if port is not None:
             look.SetDomePortRadius(port)
         if quality is not None:
@@ -156,13 +156,13 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
 
 def whitecaps_of(whitecaps):
     """Whether there are any, and their life time in seconds; None: the default."""
-    value = whitecaps.item() if hasattr(whitecaps, "item") else whitecaps
+    value = plain(whitecaps)
     return (value, None) if isinstance(value, bool) else (True, in_range("whitecaps", value, 0.0, MOST_LIFE_TIME))
 
 
 def flag(word, value):
     """A bool, numpy's included; otherwise a TypeError that names the argument."""
-    return of_type(word, value.item() if hasattr(value, "item") else value, bool)
+    return of_type(word, plain(value), bool)
 
 
 def set_units(look, units, is_automatic):
@@ -173,8 +173,8 @@ def set_units(look, units, is_automatic):
         look.SetUnits(units)
     else:
         metres = number("units", units)
-        if metres == 0.0:
-            raise ValueError("units is 0; metres per unit must lie in [1e-09, 1e+09]")
+        if not 1e-9 <= metres <= 1e9:  # the property takes 0, too
+            raise ValueError(f"units is {metres:g}; metres per unit must lie in [1e-09, 1e+09]")
         look.SetMetresPerUnit(metres)
 
 
@@ -208,10 +208,18 @@ def of_type(name, value, kind):
     return value
 
 
+def plain(value):
+    """A number or bool of numpy as Python's."""
+    return value.item() if hasattr(value, "item") and getattr(value, "size", 0) == 1 else value
+
+
 def number(name, value):
     if isinstance(value, bool) or not isinstance(value, Real):
         raise TypeError(f"{name} must be a number, not {type(value).__name__}")
-    return float(value)
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError(f"{name} has {len(str(abs(value)))} digits; it must be less than 1e308") from None
 
 
 def in_range(name, value, least, most):
@@ -244,7 +252,8 @@ def finite(name, value):
 def numbers(name, values, least, most=None):
     """A sequence of numbers (a list, a tuple, an array) as a list; its length in [least, most]."""
     most = most or least
-    if isinstance(values, str) or not (isinstance(values, Sequence) or hasattr(values, "__array__")):
+    is_array = getattr(values, "ndim", 0) > 0 and hasattr(values, "__array__")
+    if isinstance(values, str) or not (isinstance(values, Sequence) or is_array):
         raise TypeError(f"{name} must be a sequence of numbers, not {type(values).__name__}")
     if not least <= len(values) <= most:
         wanted = f"{least}" if least == most else f"{least} to {most}"
@@ -267,6 +276,7 @@ def wind_of(wind):
 
 
 def depth_of(foam):
+    foam = plain(foam)
     if isinstance(foam, bool):
         return FOAM_DEPTH if foam else 0.0
     depth = number("foam", foam)
@@ -279,6 +289,7 @@ def depth_of(foam):
 
 def share_of(name, share, on):
     """The share of an effect, 0 to 1; on is that of True."""
+    share = plain(share)
     if isinstance(share, bool):
         return on if share else 0.0
     return in_range(name, share, 0.0, 1.0)

@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vt
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
-from vtkwater import command, readers
+from vtkwater import command, movies, readers
 from vtkwater.errors import ending
 from vtkwater.scenes import Scene
 
@@ -289,7 +289,7 @@ BAD_FILES = (
     ("scale.tif: its pixel size is 10.0; it must be two", ("scale.tif", *LEVEL_1)),
     ("nowhere.tif: its tie point (0.0, 0.0, 0.0, nan", ("nowhere.tif", *LEVEL_1)),
     ("pole.tif: its centre is at latitude", ("pole.tif", *LEVEL_1)),
-    ("index.obj: a cell refers to point 8; there are 3", ("index.obj", *LEVEL_1)),
+    ("index.obj: cell 0 refers to point 8; there are 3", ("index.obj", *LEVEL_1)),
     ("far.obj: has a point at (1e+30, 0, 0); coordinates must lie in [-1e+09, 1e+09]", ("far.obj", *LEVEL_1)),
     ("SheetBounds are (0, 0, 0, 0)", ("dot.obj", "--level", 0)),
 )
@@ -370,6 +370,25 @@ def test_a_movie_has_its_frames(folder):
         wt.check_equal("frames in it", movie.n_frames, 3)
 
 
+def test_numbers_may_begin_with_a_minus(folder):
+    """Without =, argparse takes them for options."""
+    status, said = run(folder, "animate", "valley.tif", "--level", "-1:60", "--frames", 2, *SIZE_OPTION, "--out", "minus.gif")
+    wt.check_equal(f"a movie: {said.strip()}", (status, "2 of 2 frames" in said), (0, True))
+
+
+@pytest.mark.parametrize("rate", (0.0, -1.0, float("nan")))
+def test_a_movie_that_has_no_frame_leaves_files_as_they_are(rate, tmp_path):
+    """An old movie stays, and no empty one is made."""
+    old = tmp_path / "old.gif"
+    old.write_bytes(b"old")
+    with movies.open_movie(old, 5), movies.open_movie(tmp_path / "new.gif", 5):
+        pass
+    with pytest.raises(ValueError) as raised:
+        movies.open_movie(old, rate)
+    wt.check_equal("the error", str(raised.value), f"frames_per_second is {rate:g}; it must be more than 0, and finite")
+    wt.check_equal("the old one, a new one", (old.read_bytes(), (tmp_path / "new.gif").exists()), (b"old", False))
+
+
 def test_a_falling_level_bares_what_a_rising_one_floods(folder):
     """Walls, and the view, reach what a falling level bares: its pictures are those of a rise, from last to first."""
     write_vti(folder / "plateau.vti", np.full((5, 5), 70.0, dtype=np.float32))
@@ -448,6 +467,8 @@ def test_results_are_json_for_pipelines(folder):
     status, facts, _ = json_of(folder, "render", "valley.tif", *LEVEL_50, *small, "--time", 2, "--out", "json.png")
     wt.check_equal("render", (status, facts), (0, {"file": "json.png", "width": 64, "height": 48, "time": 2.0,
                                                    "level": 50.0, "reflection": "rendered"}))
+    status, facts, err = json_of(folder, "render", "valley.tif", "--level", "high", *small)
+    wt.check_equal("a wrong option", (status, list(facts), facts["error"] in err), (2, ["error"], True))
     status, facts, _ = json_of(folder, "animate", "cone.stl", "--level", 0, *small, "--frames", 2, "--out", "json.gif")
     wt.check_equal("animate", (status, facts), (0, {"file": "json.gif", "frames": 2, "of": 2, "stopped": False}))
     status, facts, said = json_of(folder, "render", "missing.vti", *LEVEL_50)

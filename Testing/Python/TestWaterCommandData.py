@@ -54,6 +54,17 @@ DATA = ("--depth", "h", "--bed", "zb")
 LOOK = ("--exaggeration", 20, "--elevation", 30, "--size", SIZE)
 
 
+@pytest.mark.parametrize("times", ("100:200", "0:200", "-5:20"))
+def test_times_beyond_the_steps_leave_an_old_movie(times, folder, tmp_path, capsys):
+    """The times are checked before a file is opened."""
+    old = tmp_path / "old.gif"
+    old.write_bytes(b"old")
+    status, _, told = run(folder, capsys, "animate", folder / "slope.pvd", *DATA, *LOOK, "--times", times, "--frames", 2,
+                          "--out", old)
+    wt.check_equal(f"{told.strip()}: status, the error", (status, "it must lie in [0, 30]" in told), (1, True))
+    wt.check_equal("the old one", old.read_bytes(), b"old")
+
+
 def test_a_picture_is_a_function_of_time_alone(folder, capsys):
     """The frames of a movie are the pictures of their times, colours included."""
     options = (*DATA, "--color-by", "h", *LOOK)

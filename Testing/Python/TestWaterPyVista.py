@@ -294,6 +294,18 @@ WRONG = [  # the exception, a part of its text, the argument
      {"surface": pv.PolyData(np.full((3, 3), np.nan), faces=[3, 0, 1, 2]), "bounds": None}),
     (ValueError, "surface has no finite polygon with an area along the normal (0, 0, 1)",
      {"surface": pv.Plane(direction=(1, 0, 0)), "bounds": None, "level": None}),
+    (ValueError, "surface is not valid: cell 0 has 3 points; cells of its type (8) have 4",
+     {"surface": pv.UnstructuredGrid(np.array([3, 0, 1, 2]), np.array([8], np.uint8), np.eye(3)), "bounds": None}),
+    (ValueError, "surface is not valid: cell 0 refers to point 99; there are 3, from 0",
+     {"surface": pv.PolyData(np.eye(3), faces=[3, 0, 1, 99]), "bounds": None}),
+    (TypeError, "name must be str, not list", {"name": []}),
+    (ValueError, "name is ''", {"name": ""}),
+    (ValueError, "units is -1; metres per unit must lie in [1e-09, 1e+09]", {"units": -1}),
+    (ValueError, "level has 401 digits; it must be less than 1e308", {"level": 10**400}),
+    (TypeError, "bounds must be a sequence of numbers, not float64", {"bounds": np.float64(3)}),
+    (TypeError, "shadows must be bool, not ndarray", {"shadows": np.array([1, 2])}),
+    (TypeError, "scalar_bar must be bool, not ndarray", {"scalar_bar": np.array([1, 2])}),
+    (ValueError, "preset is 'Opacity'", {"preset": "Opacity"}),
     (TypeError, "max_mirrors must be int, not str", {"max_mirrors": "x"}),
     (TypeError, "max_mirrors must be int, not bool", {"max_mirrors": True, "surface": pv.Plane(), "bounds": None}),
     (ValueError, "max_mirrors is -7; it must lie in [0, 4096]",
@@ -361,3 +373,55 @@ def test_vtk_js_is_sent_no_water(plotter):
         logging.disable(logging.NOTSET)
     wt.check_equal("sent to vtk.js: actors, waters", ("vtkOpenGLActor" in sent, "vtkWaterActor" in sent),
                    (True, False))
+
+
+@pytest.mark.parametrize("add", (
+    lambda plotter: plotter.add_slider_widget(lambda value: None, (0, 1)),
+    lambda plotter: plotter.add_checkbox_button_widget(lambda value: None),
+    lambda plotter: plotter.add_logo_widget()), ids=("slider", "button", "logo"))
+def test_widgets_over_the_picture_are_no_part_of_the_scene(add, plotter):
+    """They leave the reflection in waves as it is, and it is used again in the next frame."""
+    water = fill(plotter, wind=3, bounds="horizon")
+    before = picture_of(plotter).astype(int)
+    add(plotter)
+    plotter.render()
+    plotter.render()
+    reflection = water.reflection_pass
+    wt.check_equal("props over the picture", reflection.GetFateCount(reflection.OVERLAY), 1)
+    wt.check_equal("decision", reflection.GetDecisionAsString(), "used again: nothing has changed")
+    upper = np.abs(picture_of(plotter).astype(int) - before)[60:180, 130:190].max()  # about the box and its reflection
+    wt.check_at_most("largest difference beside the widget", upper, 1)
+
+
+@pytest.mark.parametrize("scale", ((1, 1, 0), (1, 1, -1)))
+def test_a_wrong_scale_of_the_plotter_is_named(scale, plotter):
+    plotter.set_scale(*scale)
+    with pytest.raises(ValueError) as raised:
+        plotter.add_water(0)
+    wt.check_equal("the error", "the plotter's scale is" in str(raised.value), True)
+
+
+def test_water_without_a_scalar_bar_is_still_returned(plotter):
+    """PyVista has ten scalar bars: the eleventh water has none, and a warning says so."""
+    mesh = pv.Plane(i_resolution=2, j_resolution=2)
+    for i in range(11):
+        mesh[f"a{i}"] = np.arange(9.0)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        waters = [plotter.add_water(mesh, color_by=f"a{i}") for i in range(11)]
+    wt.check_equal("waters, warnings of scalar bars", (len(waters), sum("no scalar bar" in str(one.message) for one in told)),
+                   (11, 1))
+
+
+def test_foam_is_bright_in_the_default_light(plotter):
+    """PyVista's lights are no suns: foam is lit by them and by the background, and is brighter than the water."""
+    pictures = []
+    for foam in (False, True):
+        made = pv.Plotter(off_screen=True, window_size=SIZE)
+        made.add_mesh(pv.Sphere(radius=2, center=(0, 0, -1.6)), color="tan")  # a flat island
+        made.add_water(level=0, foam=foam)
+        pictures.append(picture_of(made).astype(int).sum(axis=2))
+        made.close()
+    changed = np.abs(pictures[1] - pictures[0]) > 30
+    wt.check_at_least("pixels of foam", int(changed.sum()), 50)
+    wt.check_at_least("mean rise, of 765", float((pictures[1] - pictures[0])[changed].mean()), 30)
