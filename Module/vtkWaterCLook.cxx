@@ -186,10 +186,13 @@ vtk_water_status vtk_water_actor_set_quality(vtk_water_actor* actor, const char*
 vtk_water_status vtk_water_actor_set_environment(
   vtk_water_actor* actor, const unsigned char* pixels, int width, int height)
 {
-  const std::string wrong = pixels ? DescribeBadSize(width, height) : std::string();
-  if (!wrong.empty())
+  const vtk_water_status status = Guarded([&] {
+    const std::string wrong = pixels ? DescribeBadSize(width, height) : std::string();
+    return wrong.empty() ? VTK_WATER_OK : Fail(VTK_WATER_BAD_VALUE, wrong);
+  });
+  if (status != VTK_WATER_OK)
   {
-    return Guarded([&] { return Fail(VTK_WATER_BAD_VALUE, wrong); });
+    return status;
   }
   return Change(actor, [=](vtkWaterActor*, vtkWaterProperty* look) {
     look->SetEnvironmentTexture(pixels ? MakeTexture(pixels, width, height).Get() : nullptr);

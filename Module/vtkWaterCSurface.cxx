@@ -105,11 +105,14 @@ vtk_water_status vtk_water_actor_set_surface(vtk_water_actor* actor, const doubl
   {
     return Guarded([] { return Fail(VTK_WATER_NULL_ARGUMENT, "triangles is NULL"); });
   }
-  const std::string wrong =
-    points ? DescribeBadMesh(points, point_count, triangles, triangle_count) : std::string();
-  if (!wrong.empty())
+  const vtk_water_status status = Guarded([&] {
+    const std::string wrong =
+      points ? DescribeBadMesh(points, point_count, triangles, triangle_count) : std::string();
+    return wrong.empty() ? VTK_WATER_OK : Fail(VTK_WATER_BAD_VALUE, wrong);
+  });
+  if (status != VTK_WATER_OK)
   {
-    return Guarded([&] { return Fail(VTK_WATER_BAD_VALUE, wrong); });
+    return status;
   }
   return Change(actor, [=](vtkWaterActor* water, vtkWaterProperty*) {
     vtkNew<vtkPolyDataMapper> mapper;
@@ -151,8 +154,17 @@ vtk_water_status vtk_water_actor_set_matter_optics(
     });
   }
   return Change(actor, [=](vtkWaterActor* water, vtkWaterProperty*) {
+    double before[3];
+    water->GetMatterAbsorption(before);
     water->SetMatterAbsorption(absorption);
-    water->SetMatterScattering(scattering);
+    if (lastError.empty())
+    {
+      water->SetMatterScattering(scattering);
+    }
+    if (!lastError.empty())
+    {
+      water->SetMatterAbsorption(before); // a failed call changes nothing
+    }
   });
 }
 

@@ -65,7 +65,7 @@ public:
   /**
    * Turbidity of the air, in [2, 10]: the ratio of all scattered light to that scattered by air
    * molecules alone. 2 is very clear, 3 clear, 6 warm and moist, 10 hazy. Another value is rejected
-   * with an error. Default is 3.
+   * with an error. Default is 2.
    */
   void SetTurbidity(double turbidity);
   vtkGetMacro(Turbidity, double);
@@ -143,7 +143,7 @@ private:
 
   double Azimuth = 150.0;
   double Elevation = 35.0;
-  double Turbidity = 3.0;
+  double Turbidity = 2.0;
   double Exposure = 0.0;
   int Width = 1024;
   double Result[3][3] = {}; // of the getters that return an address

@@ -120,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Absorption of the water, 1/m at 650, 550 and 450 nm (red, green, blue): finite and not
-   * negative. Lengths in the scene's unit are converted by MetresPerUnit. After a path of x metres,
+   * Absorption of the water, 1/m at 650, 550 and 450 nm (red, green, blue): in [0, 1e9].
+   * Lengths in the scene's unit are converted by MetresPerUnit. After a path of x metres,
    * the fraction exp(-(absorption + scattering) x) of the light remains. Default is that of a clear
    * lake (water_preset_default).
    */
@@ -454,7 +454,7 @@ public:
    * dispersion relation for Depth. The surface is a flat sheet with the normals of the waves, or
    * displaced (WaveGeometry).
    *
-   * amplitude  m, half the height from trough to crest, finite and not negative
+   * amplitude  m, half the height from trough to crest, in [0, 1e9]
    * wavelength m, finite and greater than 0
    * direction  degrees in which the wave travels, from the plane's first axis towards the second
    * phase      degrees, at the axes' origin and time 0

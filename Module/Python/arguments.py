@@ -211,7 +211,7 @@ def add_scene_arguments(parser):
                       help="azimuth of the sun, from north towards east; default: to the right of the eye")
     view.add_argument("--sky", type=number(2.0, 10.0), nargs="?", const=TURBIDITY, metavar="TURBIDITY",
                       help="show a clear sky instead of the gradient, with this turbidity: 2 (very clear) to 10 "
-                           "(hazy), 3 without a number; it is seen above the horizon and in reflections, and a view "
+                           "(hazy), 2 without a number; it is seen above the horizon and in reflections, and a view "
                            "from above has the haze below the horizon as its background")
     view.add_argument("--size", type=size, default=(960, 600), metavar="WxH", help="pixels; default 960x600")
     ground = parser.add_argument_group("the ground")

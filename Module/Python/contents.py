@@ -91,7 +91,7 @@ def add_steps(facts, path):
     if "kind" not in facts:
         facts.update(kind="folder of GeoTIFF files" if path.is_dir() else
                      "solver's volume" if is_volume else "solver's mesh", **sizes_of(mesh),
-                     units="metres, converted from degrees" if source.is_lonlat else
+                     units="degrees, converted to metres for pictures" if source.is_lonlat else
                      "metres (--units names another unit)")
     facts["times"] = list(source.times)
     facts["arrays"] = [array for array in arrays_of(mesh) if not array["name"].startswith("vtk")]

@@ -34,6 +34,7 @@ HIGHEST = 1e9
 METRES_PER_DEGREE = 6371008.8 * math.pi / 180  # of a great circle, mean radius of the Earth (IUGG 1980)
 # Tags of TIFF: "OGC GeoTIFF Standard 1.1" (2019), and GDAL's for holes
 TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS, TIFF_NO_DATA = 33550, 33922, 34735, 42113
+TIFF_TRANSFORMATION = 34264  # in place of scale and tie point
 TIFF_BEGINS = (b"II*\0", b"MM\0*")
 ONE_BAND = "write one file per band, such as velocity_x_0.tif and velocity_y_0.tif"
 GEO_KEY_MODEL_TYPE, MODEL_TYPE_GEOGRAPHIC = 1024, 2
@@ -342,8 +343,8 @@ def grid_of_tiff(path, no_data=None):
             if image.format != "TIFF":
                 raise FileError(f"{path}: not a TIFF image but {image.format}")
             no_data_tag = image.tag_v2.get(TIFF_NO_DATA)
-            spacing, tie, keys = (numbers_of(image.tag_v2.get(tag), tag, path)
-                                  for tag in (TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS))
+            spacing, tie, keys, matrix = (numbers_of(image.tag_v2.get(tag), tag, path)
+                                          for tag in (TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS, TIFF_TRANSFORMATION))
             heights = np.asarray(image)
     except Image.UnidentifiedImageError as error:
         with open(path, "rb") as file:
@@ -359,6 +360,8 @@ def grid_of_tiff(path, no_data=None):
             no_data = float(str(no_data_tag).strip("\0 "))
         except ValueError:
             raise FileError(f"{path}: its no-data value {no_data_tag!r} is not a number") from None
+    if matrix and not spacing:
+        spacing, tie = scale_and_tie_of(matrix, path)
     spacing = (spacing or (1.0, 1.0))[:2]
     if len(spacing) != 2 or not all(0.0 < part < math.inf for part in spacing):
         raise FileError(f"{path}: its pixel size is {' x '.join(map(str, spacing))}; "
@@ -383,6 +386,17 @@ def grid_of_tiff(path, no_data=None):
     metres = metres_of(keys, GEO_KEY_LINEAR_UNITS)
     spacing, place = (tuple(metres * part for part in pair) for pair in (spacing, place))
     return heights[::-1], spacing, place, no_data, place
+
+
+def scale_and_tie_of(matrix, path):
+    """Pixel size and tie point of a matrix from column and row to place, by rows."""
+    if len(matrix) != 16:
+        raise FileError(f"{path}: its transformation has {len(matrix)} numbers; it must have 16")
+    x_columns, x_rows, _, west, y_columns, y_rows, _, north = matrix[:8]
+    if x_rows != 0.0 or y_columns != 0.0 or not x_columns > 0.0 or not y_rows < 0.0:
+        raise FileError(f"{path}: its pixels are not in rows from west to east and north to south; "
+                        "gdalwarp writes such a file")
+    return (x_columns, -y_rows), (0.0, 0.0, 0.0, west, north, 0.0)
 
 
 def metres_of(keys, key):

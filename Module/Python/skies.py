@@ -63,7 +63,7 @@ def add_clear_sky(self, sun=True, turbidity=TURBIDITY, *, resolution=1024, rende
         Position of the sun: azimuth (degrees from north towards east, in [-360, 360]) and elevation (degrees above
         the horizon, in [0, 90]); True means (150, 35).
 
-    turbidity : float, default: 3.0
+    turbidity : float, default: 2.0
         Turbidity of the air, in [2, 10]: 2 is very clear, 6 warm and moist, 10 hazy.
 
     resolution : int, default: 1024

@@ -19,7 +19,7 @@ FOAM_DEPTH = 0.25  # m, of foam=True
 CAUSTICS = 0.8  # strength, of caustics=True
 SUN_PLACE = (150.0, 35.0)  # azimuth and elevation, degrees, of sun=True
 SUN_COLOR = (1.0, 0.95, 0.87)
-TURBIDITY = 3.0  # of the air of a clear sky
+TURBIDITY = 2.0  # of the air of a clear sky
 LEAST_TURBIDITY, MOST_TURBIDITY = 2.0, 10.0
 LEAST_WIND, MOST_WIND = 0.1, 100.0  # m/s
 MOST_LIFE_TIME = 10.0  # s, of whitecaps

@@ -54,9 +54,11 @@ def write_vti(path, heights, blanked=()):
     writer.Write()
 
 
-def write_tiff(path, heights, keys=(), scale=(10.0, 10.0, 0.0), tie=(0.0, 0.0, 0.0, 500.0, 9000.0, 0.0)):
+def write_tiff(path, heights, keys=(), scale=(10.0, 10.0, 0.0), tie=(0.0, 0.0, 0.0, 500.0, 9000.0, 0.0),
+               matrix=()):
     tags = TiffImagePlugin.ImageFileDirectory_v2()
-    for tag, value, kind in ((33550, scale, 12), (33922, tie, 12), (34735, keys, 3), (42113, str(NO_DATA), 2)):
+    for tag, value, kind in ((33550, scale, 12), (33922, tie, 12), (34735, keys, 3), (42113, str(NO_DATA), 2),
+                             (34264, matrix, 12)):
         if value:
             tags[tag] = value
             tags.tagtype[tag] = kind
@@ -122,6 +124,28 @@ def test_elevations_are_read_where_they_lie(folder, name, low):
     wt.check_equal(f"{name}: west, south, lowest, highest", [bounds[0], bounds[2], round(bounds[4], 3), bounds[5]],
                    [*low, 2.564, 100.0])
     wt.check_equal(f"{name}: cells, less those at the hole", ground.data.GetNumberOfCells(), 39 * 39 - 25)
+
+
+def test_a_tiffs_transformation_is_its_scale_and_place(tmp_path):
+    """A file may have a matrix in place of scale and tie point; if it turns the pixels, that is an error."""
+    heights = np.arange(12.0, dtype=np.float32).reshape(3, 4)
+    write_tiff(tmp_path / "scale.tif", heights)
+    matrix = (10.0, 0, 0, 500.0, 0, -10.0, 0, 9000.0, 0, 0, 0, 0, 0, 0, 0, 1.0)
+    write_tiff(tmp_path / "matrix.tif", heights, scale=(), tie=(), matrix=matrix)
+    bounds = [readers.read(tmp_path / name).data.GetBounds() for name in ("scale.tif", "matrix.tif")]
+    wt.check_equal("bounds", bounds[1], bounds[0])
+    write_tiff(tmp_path / "turned.tif", heights, scale=(), tie=(), matrix=(8.0, 6.0, *matrix[2:4], 6.0, -8.0, *matrix[6:]))
+    with pytest.raises(readers.FileError) as raised:
+        readers.read(tmp_path / "turned.tif")
+    wt.check_equal("the error", "its pixels are not in rows from west to east" in str(raised.value), True)
+
+
+def test_no_data_may_have_more_digits_than_pixels(tmp_path):
+    """GDAL writes -9999.9 of 64 bits for pixels of 32."""
+    heights = np.full((3, 4), -9999.9, dtype=np.float32)
+    heights[:, :2] = 5.0
+    write_tiff(tmp_path / "holes.tif", heights)
+    wt.check_equal("heights", readers.read(tmp_path / "holes.tif", no_data=-9999.9).data.GetBounds()[4:], (5.0, 5.0))
 
 
 def test_a_tiff_knows_its_own_holes(folder):

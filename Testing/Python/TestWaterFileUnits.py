@@ -212,4 +212,4 @@ def test_units_are_listed(kind, by, tmp_path, monkeypatch, capsys):
     facts = json.loads(next(line for line in capsys.readouterr().out.splitlines() if line.startswith("{")))
     wt.check_equal("units", {array["name"]: array["unit"] for array in facts["arrays"] if array["name"] in
                              ("zeta", "zb")}, {"zeta": "cm", "zb": "m"})
-    wt.check_equal("of places", facts["units"], "metres, converted from degrees")
+    wt.check_equal("of places", facts["units"], "degrees, converted to metres for pictures")

@@ -32,7 +32,8 @@ extern "C"
   X(WATER_CAMERA_ON_PLANE,                                                                         \
     "the camera lies exactly on the water plane; it must be above or below")                       \
   X(WATER_BAD_PROP_BOUNDS, "the bounds of every prop must be finite")                              \
-  X(WATER_BAD_WAVE_AMPLITUDE, "Amplitude of a wave must be finite and not negative")               \
+  X(WATER_BAD_WAVE_AMPLITUDE,                                                                      \
+    "Amplitude of a wave must be finite, not negative and at most 1e9 m")                          \
   X(WATER_BAD_WAVELENGTH, "Wavelength must be finite and greater than 0")                          \
   X(WATER_BAD_WAVE_DIRECTION, "Direction of a wave must be finite")                                \
   X(WATER_BAD_WAVE_PHASE, "Phase of a wave must be finite")                                        \
@@ -55,8 +56,8 @@ extern "C"
   X(WATER_BAD_CASCADES, "SeaCascades must lie in [1, 3]")                                          \
   X(WATER_BAD_LIFE_TIME, "WhitecapLifeTime must lie in [0, 10] s")                                 \
   X(WATER_BAD_PERIOD, "the period must be finite and not negative; 0 does not repeat")             \
-  X(WATER_BAD_ABSORPTION, "Absorption must be finite and not negative")                            \
-  X(WATER_BAD_SCATTERING, "Scattering must be finite and not negative")                            \
+  X(WATER_BAD_ABSORPTION, "Absorption must be finite, not negative and at most 1e9")               \
+  X(WATER_BAD_SCATTERING, "Scattering must be finite, not negative and at most 1e9")               \
   X(WATER_BAD_DIRECTION, "a direction must be finite and of unit length")                          \
   X(WATER_BAD_INDEX_RATIO, "the ratio of the indices must be finite and greater than 0")           \
   X(WATER_TOTAL_REFLECTION, "total internal reflection: there is no refracted ray")                \

@@ -26,11 +26,11 @@ water_status water_medium_check(const water_medium* medium)
 {
   for (int i = 0; i < 3; ++i)
   {
-    if (!isfinite(medium->absorption[i]) || medium->absorption[i] < 0.0)
+    if (!(medium->absorption[i] >= 0.0 && medium->absorption[i] <= WATER_COEFFICIENT_MAX))
     {
       return WATER_BAD_ABSORPTION;
     }
-    if (!isfinite(medium->scattering[i]) || medium->scattering[i] < 0.0)
+    if (!(medium->scattering[i] >= 0.0 && medium->scattering[i] <= WATER_COEFFICIENT_MAX))
     {
       return WATER_BAD_SCATTERING;
     }

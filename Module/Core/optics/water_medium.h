@@ -19,10 +19,12 @@ extern "C"
 {
 #endif
 
+#define WATER_COEFFICIENT_MAX 1e9 // 1/m: the shaders have floats
+
 typedef struct water_medium
 {
-  double absorption[3]; // 1/m, >= 0
-  double scattering[3]; // 1/m, >= 0
+  double absorption[3]; // 1/m, in [0, WATER_COEFFICIENT_MAX]
+  double scattering[3]; // 1/m, likewise
 } water_medium;
 
 // Jerlov's optical water types: I to III of the ocean, 1C to 9C of the coast, clear to turbid.

@@ -71,7 +71,7 @@ water_status water_waves_wavenumber(double omega, double depth, double* k)
 
 static water_status check_wave(const water_wave* wave)
 {
-  if (!isfinite(wave->amplitude) || wave->amplitude < 0.0)
+  if (!(wave->amplitude >= 0.0 && wave->amplitude <= WATER_AMPLITUDE_MAX))
   {
     return WATER_BAD_WAVE_AMPLITUDE;
   }

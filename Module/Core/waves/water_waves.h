@@ -26,9 +26,11 @@ extern "C"
 {
 #endif
 
+#define WATER_AMPLITUDE_MAX 1e9 // m: the shaders have floats
+
 typedef struct water_wave
 {
-  double amplitude;     // m, half the height from trough to crest, >= 0
+  double amplitude;     // m, half the height from trough to crest, in [0, WATER_AMPLITUDE_MAX]
   double wavelength;    // m, > 0
   double direction_rad; // of travel, from the first towards the second axis
   double phase_rad;     // of the origin at time 0

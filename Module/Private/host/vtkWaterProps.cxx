@@ -242,7 +242,11 @@ bool vtkWaterProps::IsOverlay(vtkProp* prop)
   vtkNew<vtkPropCollection> parts;
   prop->GetActors(parts);
   prop->GetVolumes(parts);
-  return parts->GetNumberOfItems() == 0;
+  vtkNew<vtkPropCollection> flat;
+  prop->GetActors2D(flat);
+  // some name none of their parts
+  return parts->GetNumberOfItems() == 0 &&
+    (flat->GetNumberOfItems() > 0 || std::strstr(prop->GetClassName(), "2D"));
 }
 
 //------------------------------------------------------------------------------

@@ -81,7 +81,7 @@ vtk_water_status Guarded(Function function) noexcept
   }
   catch (const std::bad_alloc&)
   {
-    return VTK_WATER_NO_MEMORY;
+    return Fail(VTK_WATER_NO_MEMORY, "out of memory"); // so short that it needs none
   }
   catch (const std::exception& exception)
   {
