@@ -83,15 +83,18 @@ float waterMediumDeepest()
 void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most, inout WaterMediumMet met);
 
 // The point in the picture's window. The middle of a pixel with several samples lies between finer ones, whose depths are
-// those of their own middles: thin water would be before its bed or behind it as one or the other is read. The point moves
-// along the plane to such a middle.
+// those of their own middles: thin water would be before its bed or behind it as one or the other is read. There the point
+// moves along the plane to such a middle; elsewhere edges would move, too.
 vec3 waterMediumStart(WaterPoint point)
 {
   vec2 place = waterMediumPlace(point.ndc);
   vec2 size = waterMediumSize();
-  vec2 off = waterSceneSide > 1 ? (floor(place * size + 0.01) + 0.5) / size - place : vec2(0.0);
-  float further = -dot(waterHeightClip.xy, off) / waterHeightClip.z;
-  return vec3(place + off, waterWindowDepth(point.ndc, point.moved) + further);
+  float depth = waterWindowDepth(point.ndc, point.moved);
+  vec2 slope = -waterHeightClip.xy / waterHeightClip.z; // of the plane's depth
+  float thin = WATER_MEDIUM_THIN_PX * dot(abs(slope), 1.0 / size);
+  bool isThin = waterSceneSide > 1 && abs(waterMediumDepth(place) - depth) < thin;
+  vec2 off = isThin ? (floor(place * size + 0.01) + 0.5) / size - place : vec2(0.0);
+  return vec3(place + off, depth + dot(slope, off));
 }
 
 // A ray that leaves the water without having met its bed meets what lies under the water's border, as if that went on.
