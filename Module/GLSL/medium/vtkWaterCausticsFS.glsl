@@ -35,3 +35,8 @@ float waterCaustic(vec2 ndc, float w, float depth, vec2 pixel)
   share *= 1.0 - smoothstep(0.0, WATER_CAUSTIC_BEYOND, max(beyond.x, beyond.y));
   return 1.0 + share * (textureLod(waterCausticLight, uv, 0.0).r - 1.0);
 }
+
+bool waterHasCaustics()
+{
+  return true;
+}

@@ -116,7 +116,7 @@ void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most
   {
     met.view = WaterMediumView(true, met.view.s, straight, straight, 0.0, false, false, false);
     met.depth = depth;
-    met.way = met.lit = height / dir.z;
+    met.way = height / dir.z;
     met.isNothing = false;
   }
   else if (waterSide > 0.0 && !(isOverEnd && isLast) &&

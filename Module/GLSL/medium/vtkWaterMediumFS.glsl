@@ -42,7 +42,6 @@ struct WaterMediumMet
   WaterMediumView view;
   float depth;        // of the picture at the first of its places
   float way;          // m of water
-  float lit;          // the same, to what caustics light: between the middles of pixels, too
   bool isUnderBorder; // the water ends before the ray meets anything: it is the bed under its border
   bool isNothing;     // there is none
 };
@@ -50,12 +49,11 @@ struct WaterMediumMet
 // The place where a ray meets a surface that is interpolated between the centres of pixels, where
 // the picture has its depths. At a low angle the ray would otherwise be found pixels away, over
 // which the light of caustics changes.
-//
-// depth  of the picture where it has been found
-float waterMediumBetween(WaterMediumRay ray, WaterMediumView view, float depth)
+float waterMediumBetween(WaterMediumRay ray, WaterMediumView view)
 {
   vec2 size = waterMediumSize();
   vec2 middle = waterMediumMiddle(view.from);
+  float depth = waterMediumDepth(middle); // at a pixel's border GPUs may have read that of the next one
   vec2 before = depth - vec2(waterMediumDepth(middle - vec2(1.0, 0.0) / size),
     waterMediumDepth(middle - vec2(0.0, 1.0) / size));
   vec2 after = vec2(waterMediumDepth(middle + vec2(1.0, 0.0) / size),
@@ -81,6 +79,8 @@ float waterMediumDeepest()
 // dir   of the ray, in the plane's axes
 // most  as of waterMediumMeets
 void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most, inout WaterMediumMet met);
+
+bool waterHasCaustics(); // of the slot caustics
 
 // The point in the picture's window. The middle of a pixel with several samples lies between finer ones, whose depths are
 // those of their own middles: thin water would be before its bed or behind it as one or the other is read. There the point
@@ -135,12 +135,14 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
     most = deepest;
     met.isUnderBorder = true;
   }
-  met.way = met.view.s * ray.w / max(1.0 - met.view.s * ray.rate, 1e-6);
-  float between = waterMediumBetween(ray, met.view, met.depth);
-  met.lit = between * ray.w / max(1.0 - between * ray.rate, 1e-6);
+  float way = met.view.s * ray.w / max(1.0 - met.view.s * ray.rate, 1e-6);
+  // over a long way in the picture half of a pixel changes little but the light of caustics
+  bool isShort = met.view.s * length(ray.way.xy * waterMediumSize()) < WATER_MEDIUM_SHORT_WAY_PX;
+  float between = isShort || waterHasCaustics() ? waterMediumBetween(ray, met.view) : met.view.s;
+  met.way = between * ray.w / max(1.0 - between * ray.rate, 1e-6);
   // along the view ray; parallel views have one w
   float behind = waterHeightClip.z * 2.0 * (met.depth - ray.start.z - met.view.s * ray.way.z) / point.ray.z;
-  float apart = abs(waterClipW.z != 0.0 ? waterMediumW(met.view.from, met.depth) - ray.w - met.way * ray.rate : behind);
+  float apart = abs(waterClipW.z != 0.0 ? waterMediumW(met.view.from, met.depth) - ray.w - way * ray.rate : behind);
   // the bed is likelier than nothing where the picture does not show it
   bool isThere = met.depth < 1.0 &&
     (met.view.isOut || apart < WATER_MEDIUM_BELOW * waterBedDepth + WATER_MEDIUM_EDGE * pixel);
@@ -174,15 +176,15 @@ vec3 waterTransmittedOpaque(WaterPoint point, vec3 dir)
   waterMediumEnd = view.from;
   vec3 from = waterMediumColor(view.from, met.depth);
   vec3 to = from;
-  vec3 ways = vec3(met.lit); // of what is seen at the first place, at the second, and of both
+  vec3 ways = vec3(met.way); // of what is seen at the first place, at the second, and of both
   float depthTo = met.depth;
   bool areTwo = !view.isMet && !met.isUnderBorder;
   if (areTwo || met.isUnderBorder) // over level beds
   {
     depthTo = waterMediumDepth(view.to);
     to = waterMediumColor(view.to, depthTo);
-    vec2 heights = vec2(waterMediumHeight(waterMediumMiddle(view.from), met.depth),
-      waterMediumHeight(waterMediumMiddle(view.to), depthTo));
+    vec2 middle = waterMediumMiddle(view.from); // the picture has its depths there
+    vec2 heights = vec2(waterMediumHeight(middle, waterMediumDepth(middle)), waterMediumHeight(view.to, depthTo));
     ways.xy = max(heights / dir.z, vec2(0.0));
     ways.z = areTwo ? mix(ways.x, ways.y, view.share) : ways.x;
   }
@@ -192,7 +194,7 @@ vec3 waterTransmittedOpaque(WaterPoint point, vec3 dir)
     bool isSky = met.depth >= 1.0 || (!view.isMet && waterHasFloor());
     return isSky && waterIsSkyKnown() ? waterSky(dir) : color;
   }
-  float caustic = waterMediumLight(point, met, view.from, dir, areTwo || met.isUnderBorder ? ways.x : met.lit);
+  float caustic = waterMediumLight(point, met, view.from, dir, ways.x);
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
   if (areTwo)
   {

@@ -31,6 +31,7 @@ const float WATER_MEDIUM_INSIDE_PX = 1.0; // from the picture's border: beyond i
 const float WATER_MEDIUM_BASE_PX = 8.0; // between two depths that tell a slope
 const float WATER_MEDIUM_TOLERANCE = 1.1; // where a slope that goes on is met, in the greatest depth
 const int WATER_MEDIUM_LAST = 5;         // halvings of a step to what hides the rest of a ray
+const float WATER_MEDIUM_SHORT_WAY_PX = 8.0; // whose length a depth half of a pixel away changes by 6 % or more
 const float WATER_MEDIUM_THIN_PX = 3.0;  // water whose bed is no deeper than the plane so many pixels on
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 

@@ -5,3 +5,8 @@ float waterCaustic(vec2 ndc, float w, float depth, vec2 pixel)
 {
   return 1.0;
 }
+
+bool waterHasCaustics()
+{
+  return false;
+}
