@@ -425,3 +425,19 @@ def test_foam_is_bright_in_the_default_light(plotter):
     changed = np.abs(pictures[1] - pictures[0]) > 30
     wt.check_at_least("pixels of foam", int(changed.sum()), 50)
     wt.check_at_least("mean rise, of 765", float((pictures[1] - pictures[0])[changed].mean()), 30)
+
+
+def test_a_grid_is_seen_through_the_water():
+    """The axes under clear water with a view of its own are not lost."""
+    pictures = []
+    for has_grid in (False, True):
+        made = pv.Plotter(off_screen=True, window_size=SIZE)
+        made.add_mesh(pv.Cone(direction=(0, 0, 1)), color=RED)
+        if has_grid:
+            made.show_grid()
+        made.add_water(level=-0.2, own_view=True)
+        made.camera.elevation = -20
+        pictures.append(picture_of(made).astype(int))
+        made.close()
+    below = np.abs(pictures[1] - pictures[0]).max(axis=2)[SIZE[1] * 6 // 10:]
+    wt.check_at_least("pixels of the axes under water", int((below > 20).sum()), 100)

@@ -56,6 +56,11 @@ water_prop water_beyond_prop(const water_prop* prop)
     made.flags &= ~(uint32_t)WATER_PROP_VISIBLE;
     made.flags |= visible | WATER_PROP_NO_BOUNDS;
   }
+  if (prop->flags & WATER_PROP_LABEL)
+  {
+    made.flags &= ~(uint32_t)WATER_PROP_LABEL; // its bounds were not read
+    made.flags |= WATER_PROP_NO_BOUNDS;
+  }
   return made;
 }
 
