@@ -336,9 +336,10 @@ public:
 
   ///@{
   /**
-   * Variance of the slopes of waves too small to be set individually: along and across a direction
-   * (degrees), in [0, 1e6]. SetSlopeVarianceToWind sets the values that Cox and Munk measured for a
-   * wind speed in [0.1, 100] m/s; its direction is the one in which the wind blows. Default is 0.
+   * Variance of the slopes of waves that are too small to be added one by one: along a direction
+   * (degrees) and across it, both in [0, 1e6]. SetSlopeVarianceToWind sets the values that Cox and
+   * Munk measured for a wind speed in [0.1, 100] m/s; its direction is the one in which the wind
+   * blows. Default is 0.
    */
   void SetSlopeVariance(double along, double across, double direction = 0.0);
   void SetSlopeVarianceToWind(double speed, double direction = 0.0);

@@ -362,9 +362,9 @@ public:
    * if a rank hides or deletes a water after it was shown, all ranks report an error and show the
    * plain colour. While a rank has no controller, has not shown the water yet, or does not render,
    * the others wait for it, as in any collective call (SetRankWaitLimit). A mesh may be split over
-   * the ranks. Translucent props and volumes are blended rank by rank, in the order in which the
-   * mirrored camera sees the bounding boxes of each rank's translucent objects; the result is
-   * correct if these boxes do not overlap. Pixels of textures (normal maps, environment) are not
+   * the ranks. Each rank has a bounding box of its translucent props and volumes. They are blended
+   * rank by rank, in the order in which the mirrored camera sees these boxes; the result is
+   * correct if the boxes do not overlap. Pixels of textures (normal maps, environment) are not
    * compared. A controller of a single process has no effect, unless MPI has
    * started several processes. For frames that one rank renders
    * alone, set nullptr on all ranks. vtkWaterLakes does not support ranks: only its first water has

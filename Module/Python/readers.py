@@ -9,6 +9,7 @@ A FileError is raised if the file is missing, empty, of an unknown type, or not 
 """
 import contextlib
 import math
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -215,7 +216,7 @@ def heard(path, what):
         vtkOutputWindow.SetInstance(shown)
         vtkLogger.SetStderrVerbosity(verbosity)
     if "ERROR" in log.GetOutput().upper():
-        lines = [line for line in log.GetOutput().splitlines() if line and not line.startswith("ERROR: In ")]
+        lines = [line for line in log.GetOutput().splitlines() if line and not re.match(r"(ERROR|Warning|Generic Warning): In ", line)]
         reason = lines[0].partition("): ")[2] or lines[0] if lines else "reading stopped before its end"
         raise FileError(f"{path}: not {what}: {reason}")
 

@@ -39,7 +39,7 @@ class Collection:
         self._path = path
         try:
             entries = [entry.attrib for entry in ElementTree.parse(path).iter("DataSet")]
-        except ElementTree.ParseError as error:
+        except (ElementTree.ParseError, LookupError) as error:  # or an encoding that does not exist
             raise FileError(f"{path}: not a ParaView collection (.pvd): {error}") from None
         files = {}
         for entry in entries:

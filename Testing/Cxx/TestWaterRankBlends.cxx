@@ -29,6 +29,8 @@ struct Scene : public WaterTestScene
     this->Renderer->SetBackground(0.2, 0.5, 0.9);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0) // VTK 9.3 has the second alone
     this->Renderer->SetUseOIT(!isPlain);
+#else
+    (void)isPlain;
 #endif
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     camera->SetPosition(0.0, -14.0, 5.0); // onto the water alone

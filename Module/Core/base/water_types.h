@@ -28,7 +28,7 @@ typedef struct water_camera
 {
   double world_to_view[16]; // rigid: rotation and translation only; looks along -z
   double
-    view_to_clip[16]; // perspective, off-axis or parallel; kept depths have clip z/w in [-1, 1]
+    view_to_clip[16]; // perspective, off-axis or parallel; clip z/w of what is drawn is in [-1, 1]
   bool parallel;      // parallel projection
 } water_camera;
 
@@ -247,14 +247,13 @@ typedef struct water_scene
   bool is_endless;          // the surface reaches to the horizon, whatever these bounds
   bool hides_above;         // the surface is not drawn for an eye above it, or below
   bool hides_below;
-  bool is_hidden; // all of it is behind the scene
-  bool is_flat;   // all of it lies in the plane, and is drawn no nearer than that
-  bool
-    has_scene_depth; // the eye's picture of what hides the surface is available, a depth per pixel
-  bool is_software;  // there is no GPU: pixels and triangles are expensive, draws are not
-  bool is_beyond;    // the own view is planned, water_beyond.h, and not the mirrored view
-  bool is_from_sun;  // the sun view is planned, water_sun_view.h
-  bool is_of_sky;    // the sky view is planned, water_sky_view.h
+  bool is_hidden;          // all of it is behind the scene
+  bool is_flat;            // all of it lies in the plane, and is drawn no nearer than that
+  bool has_scene_depth;    // there is a depth per pixel of what hides the surface from the eye
+  bool is_software;        // there is no GPU: pixels and triangles are expensive, draws are not
+  bool is_beyond;          // the own view is planned, water_beyond.h, and not the mirrored view
+  bool is_from_sun;        // the sun view is planned, water_sun_view.h
+  bool is_of_sky;          // the sky view is planned, water_sky_view.h
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;
