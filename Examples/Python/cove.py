@@ -117,7 +117,7 @@ def make_water(time):
     look.SetSlopeVariance(0.0003, 0.0003)
     look.SetFoamDepth(0.25)
     look.ShadowsOn()
-    look.SetCaustics(0.8)
+    look.SetCaustics(0.5)
     water.SetSheetToHorizon()
     water.SetTime(time)
     return water
