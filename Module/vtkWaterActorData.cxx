@@ -8,6 +8,7 @@
 #include "vtkWaterVertexData.h"
 #include "water_cascade.h"
 #include "water_flow.h"
+#include "water_medium.h"
 
 #include <algorithm>
 #include <limits>
@@ -40,12 +41,12 @@ void vtkWaterActor::SetMatterArrayName(const std::string& name)
 void vtkWaterActor::SetMatter(
   const char* name, double (&member)[3], const std::array<double, 3>& given)
 {
-  const auto isGood = [](double value) { return vtkMath::IsFinite(value) && value >= 0.0; };
+  const auto isGood = [](double value) { return value >= 0.0 && value <= WATER_COEFFICIENT_MAX; };
   if (!std::all_of(given.begin(), given.end(), isGood))
   {
     vtkErrorMacro(<< name << " is (" << given[0] << ", " << given[1] << ", " << given[2]
-                  << "); every channel must be finite and not negative. It stays (" << member[0]
-                  << ", " << member[1] << ", " << member[2] << ").");
+                  << "); every channel must be finite, not negative and at most 1e9. It stays ("
+                  << member[0] << ", " << member[1] << ", " << member[2] << ").");
     return;
   }
   if (!std::equal(given.begin(), given.end(), member))

@@ -32,13 +32,14 @@ class Parser(argparse.ArgumentParser):
     def __init__(self, *arguments, **words):
         super().__init__(*arguments, allow_abbrev=False, **words)
 
-    def options(self):
-        """The names of its options, and of its commands' options."""
+    def options(self, has_value=False):
+        """The names of its options, and of its commands' options; has_value: of those that take a value."""
         for action in self._actions:
-            yield from (name for name in action.option_strings if name.startswith("--"))
+            if not has_value or action.nargs != 0:
+                yield from (name for name in action.option_strings if name.startswith("--"))
             if isinstance(action, argparse._SubParsersAction):
                 for parser in action.choices.values():
-                    yield from parser.options()
+                    yield from parser.options(has_value)
 
     def of(self, command):
         """The parser of a command."""

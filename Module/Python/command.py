@@ -297,11 +297,11 @@ def has_no_reader():
 NUMBERS = re.compile(r"-[\d.][\d.eE+:,-]*")  # that begin with a minus, such as -1:1
 
 
-def joined(arguments):
-    """With --option=-1:1 for --option -1:1, which is two options to argparse."""
+def joined(arguments, options):
+    """With --option=-1:1 for --option -1:1, which is two options to argparse; options: those that take a value."""
     made = []
     for argument in arguments:
-        if made and re.fullmatch(r"--[\w-]+", made[-1]) and NUMBERS.fullmatch(argument):
+        if made and made[-1] in options and NUMBERS.fullmatch(argument):
             made[-1] += f"={argument}"
         else:
             made.append(argument)
@@ -310,9 +310,9 @@ def joined(arguments):
 
 def run(arguments):
     parser = make_parser()
-    arguments = joined(sys.argv[1:] if arguments is None else arguments)
+    arguments = sys.argv[1:] if arguments is None else arguments
     Parser.is_json = "--json" in arguments
-    arguments = parser.parse_args(arguments)
+    arguments = parser.parse_args(joined(arguments, set(parser.options(has_value=True))))
     if arguments.command != "info":
         check_words(parser.of(arguments.command), arguments)
         check_data(parser.of(arguments.command), arguments)

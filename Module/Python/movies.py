@@ -17,9 +17,12 @@ import math
 import signal
 from pathlib import Path
 
+from .words import number
+
 __all__ = ["KINDS", "interrupts", "open_movie"]
 
 KINDS = (".gif", ".mp4", "a folder")
+LEAST_RATE = 0.002  # pictures a second: GIF knows no longer time of a picture than 655 s
 
 
 @contextlib.contextmanager
@@ -41,11 +44,12 @@ def interrupts():
 def open_movie(file, frames_per_second):
     """Open a movie for writing.
 
-    Raises ValueError for an unknown file type, a missing package, or frames per second that are not finite and more
-    than 0; OSError like open.
+    Raises ValueError for an unknown file type, a missing package, or frames per second that are not finite or less than
+    LEAST_RATE; TypeError if they are no number; OSError like open.
     """
-    if not (math.isfinite(frames_per_second) and frames_per_second > 0.0):
-        raise ValueError(f"frames_per_second is {frames_per_second:g}; it must be more than 0, and finite")
+    frames_per_second = number("frames_per_second", frames_per_second)
+    if not (math.isfinite(frames_per_second) and frames_per_second >= LEAST_RATE):
+        raise ValueError(f"frames_per_second is {frames_per_second:g}; it must be at least {LEAST_RATE:g}, and finite")
     suffix = Path(file).suffix.lower()
     if not suffix:
         return Folder(file)

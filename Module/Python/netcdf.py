@@ -145,18 +145,23 @@ def cf_reader(path):
 
 
 def check_dimensions(path):
-    """VTK's reader crashes on a dimension without entries, as of a run that has just begun. Needs the package netCDF4."""
+    """VTK's reader crashes if all variables with a place have an empty dimension, as of a run that has just begun.
+
+    Needs the package netCDF4.
+    """
     try:
         from netCDF4 import Dataset
     except ImportError:
         return
     try:
         with Dataset(path) as file:
-            empty = [name for name, dimension in file.dimensions.items() if len(dimension) == 0]
+            sizes = {name: len(dimension) for name, dimension in file.dimensions.items()}
+            used = [variable.dimensions for variable in file.variables.values() if len(variable.dimensions) > 1]
     except (OSError, RuntimeError):  # VTK's reader tells what is wrong
         return
-    if empty:
-        raise FileError(f"{path}: has no step or no place: the dimension '{empty[0]}' is empty")
+    empty = [[name for name in dimensions if sizes.get(name) == 0] for dimensions in used]
+    if empty and all(empty):
+        raise FileError(f"{path}: has no step or no place: the dimension '{empty[0][0]}' is empty")
 
 
 def times_of(path):

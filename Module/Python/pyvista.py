@@ -9,7 +9,9 @@
     water = plotter.add_water(level=355, preset="lake")
     plotter.show()
 """
+import math
 import warnings
+from numbers import Real
 
 import pyvista as pv
 from vtkmodules.vtkCommonCore import vtkMath
@@ -24,7 +26,7 @@ from .sliders import add_water_level_slider
 from .surfaces import (check_has_water, check_level, color_surface, exaggeration_of, lakes_of, level_and_surface,
                        plane_of, surface_of)
 from .vertex_data import VertexData
-from .words import finite, flag, in_range, number, numbers, of_type, set_look, whole_in_range
+from .words import finite, flag, in_range, number, numbers, of_type, plain, set_look, whole_in_range
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
 
@@ -319,8 +321,12 @@ def add_water(
     level, surface = level_and_surface(water, level, surface)
     if name is not None and not of_type("name", name, str):
         raise ValueError("name is ''; it must have a letter, or be None")
+    render = flag("render", render)
     if shadows is not None:
         shadows = flag("shadows", shadows)
+    for word, value in (("caustics", caustics), ("light_shafts", light_shafts)):
+        if value is not None and not isinstance(plain(value), (bool, Real)):
+            raise TypeError(f"{word} must be a number, not {type(value).__name__}")
     scalar_bar = flag("scalar_bar", scalar_bar)
     log_scale = flag("log_scale", log_scale)
     scale = self.renderer.scale
@@ -420,15 +426,22 @@ def add_water(
     return actor
 
 
+NEAREST = 1e-5  # the near plane over the far one: a depth buffer tells no more apart
+
+
 def widen_clipping_range(renderer, water):
     """Extend the clipping range: water reaches nearer to the eye, and farther, than the rest of the scene."""
     near, far = renderer.camera.clipping_range
     renderer.reset_camera_clipping_range()
     new_near, new_far = renderer.camera.clipping_range
-    # VTK keeps the near plane at a thousandth of the far one, which may lie beyond the nearest water
-    height = abs(water.GetPlane().EvaluateFunction(renderer.camera.position))
-    nearest = 0.5 * height if height > 0.0 else new_near
-    renderer.camera.clipping_range = (min(near, new_near, nearest), max(far, new_far))
+    near, far = min(near, new_near), max(far, new_far)
+    bounds = water.GetBounds()
+    if bounds and not renderer.camera.parallel_projection:
+        # VTK keeps the near plane at a thousandth of the far one, which may lie beyond the nearest water
+        eye = renderer.camera.position
+        beside = [max(bounds[2 * i] - eye[i], eye[i] - bounds[2 * i + 1], 0.0) for i in range(3)]
+        near = max(min(near, 0.5 * math.hypot(*beside)), NEAREST * far)
+    renderer.camera.clipping_range = near, far
 
 
 def color_of(color):

@@ -92,8 +92,11 @@ def kind_of(path, kinds):
 
 
 def is_no_data(values, no_data):
-    """Which numbers are a no-data value: files state it with more digits than their pixels have."""
-    return (values == no_data) | (values == float(np.float32(no_data)))
+    """Which numbers are a no-data value: files state it with more digits than pixels of 32 bits have."""
+    if values.dtype != np.float32:
+        return values == no_data
+    with np.errstate(over="ignore"):
+        return values == np.float32(no_data)
 
 
 def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=None):
@@ -102,6 +105,7 @@ def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=N
     Heights that are not finite, or equal to no_data, are holes and are not filled. Heights beyond HIGHEST are holes
     too; the note counts them. Raises a FileError if nothing is left.
     """
+    given = np.asarray(heights)
     heights = np.array(heights, dtype=float)
     if heights.ndim != 2 or min(heights.shape) < 2:
         raise FileError(f"{' x '.join(map(str, heights.shape))} heights are not a grid; at least 2 x 2 are required")
@@ -112,7 +116,7 @@ def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=N
     heights = heights[::step, ::step]
     known = np.isfinite(heights)
     if no_data is not None and math.isfinite(no_data):
-        known &= ~is_no_data(heights, no_data)
+        known &= ~is_no_data(given[::step, ::step], no_data)
     beyond = known & (np.abs(heights) > HIGHEST)
     if beyond.any():
         notes.append(f"{beyond.sum()} of its heights, the first is {heights[beyond][0]:g}, are treated as holes; "
@@ -278,6 +282,13 @@ def wrong_cell_of(data):
         data.GetDimensions(dimensions)
         wanted = math.prod(dimensions)
         return "" if count >= wanted else f"the grid has {count} points; its dimensions need {wanted}"
+    if data.IsA("vtkRectilinearGrid"):
+        dimensions = [0, 0, 0]
+        data.GetDimensions(dimensions)
+        axes = (data.GetXCoordinates(), data.GetYCoordinates(), data.GetZCoordinates())
+        has = [axis.GetNumberOfTuples() if axis else 0 for axis in axes]
+        return next((f"the grid has {has[i]} coordinates along axis {i}; its dimensions need {dimensions[i]}"
+                     for i in range(3) if has[i] < dimensions[i]), "")
     if data.IsA("vtkPolyData"):
         arrays = [data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()]
     elif data.IsA("vtkUnstructuredGrid"):
@@ -287,9 +298,12 @@ def wrong_cell_of(data):
     first = 0
     for cells in arrays:
         points = vtk_to_numpy(cells.GetConnectivityArray())
+        offsets = vtk_to_numpy(cells.GetOffsetsArray())
+        if offsets.size and (offsets[0] != 0 or (np.diff(offsets) < 0).any() or offsets[-1] > points.size):
+            return f"offsets of its cells are wrong; they must ascend from 0 to at most {points.size}"
         wrong = np.flatnonzero((points < 0) | (points >= count))
         if wrong.size:
-            cell = first + int(np.searchsorted(vtk_to_numpy(cells.GetOffsetsArray()), wrong[0], side="right")) - 1
+            cell = first + int(np.searchsorted(offsets, wrong[0], side="right")) - 1
             return f"cell {cell} refers to point {points[wrong[0]]}; there are {count}, from 0"
         first += cells.GetNumberOfCells()
     return missing_corner_of(data) if data.IsA("vtkUnstructuredGrid") and data.GetNumberOfCells() else ""
@@ -300,6 +314,8 @@ def missing_corner_of(grid):
     kept = vtkUnsignedCharArray()  # since 9.6 VTK may have them as one number for all cells
     kept.DeepCopy(grid.GetCellTypes() if hasattr(grid, "GetDistinctCellTypes") else grid.GetCellTypesArray())
     types = vtk_to_numpy(kept)
+    if types.size < sizes.size:
+        return f"the grid has {types.size} cell types; it has {sizes.size} cells"
     for number in np.unique(types):
         cell = vtkGenericCell.InstantiateCell(int(number))
         wanted = cell.GetNumberOfPoints() if cell else 0  # 0: any number
@@ -394,9 +410,10 @@ def scale_and_tie_of(matrix, path):
     if len(matrix) != 16:
         raise FileError(f"{path}: its transformation has {len(matrix)} numbers; it must have 16")
     x_columns, x_rows, _, west, y_columns, y_rows, _, north = matrix[:8]
-    if x_rows != 0.0 or y_columns != 0.0 or not x_columns > 0.0 or not y_rows < 0.0:
-        raise FileError(f"{path}: its pixels are not in rows from west to east and north to south; "
-                        "gdalwarp writes such a file")
+    turn = max(abs(x_rows), abs(y_columns))
+    if not (x_columns > 0.0 and y_rows < 0.0 and turn <= 1e-9 * min(x_columns, -y_rows)):
+        raise FileError(f"{path}: its pixels are not in rows from west to east and north to south: x is {x_columns:g} "
+                        f"column {x_rows:+g} row, y is {y_columns:g} column {y_rows:+g} row; gdalwarp turns them")
     return (x_columns, -y_rows), (0.0, 0.0, 0.0, west, north, 0.0)
 
 

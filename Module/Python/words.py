@@ -219,7 +219,7 @@ def number(name, value):
     try:
         return float(value)
     except OverflowError:
-        raise ValueError(f"{name} has {len(str(abs(value)))} digits; it must be less than 1e308") from None
+        raise ValueError(f"{name} is too large; it must lie in [-1e308, 1e308]") from None
 
 
 def in_range(name, value, least, most):
@@ -264,7 +264,7 @@ def numbers(name, values, least, most=None):
 def wind_of(wind):
     """Speed and direction; the direction is None when it is not given."""
     if isinstance(wind, Real) and not isinstance(wind, bool):
-        speed, blows_to = float(wind), None
+        speed, blows_to = number("wind", wind), None
     elif isinstance(wind, (str, bool)) or not hasattr(wind, "__len__"):
         raise TypeError(f"wind must be a number, or a speed and a direction, not {type(wind).__name__}")
     else:

@@ -155,14 +155,16 @@ TEST(foam_is_lit_by_the_daylight)
 {
   const double daylight[3] = { 0.0, 0.5, 3.0 };
   double light[3];
-  water_daylight_foam(daylight, false, light);
+  water_daylight_foam(daylight, 0.0, light);
   ASSERT_CLOSE(light[0], WATER_FOAM_SKY, 0.0);
   ASSERT_CLOSE(light[1], water_display_encode(0.5), 0.0);
   ASSERT_CLOSE(light[2], 1.0, 1e-12);
-  water_daylight_foam(daylight, true, light);
-  for (int i = 0; i < 3; ++i)
+  water_daylight_foam(daylight, 0.5 * WATER_FOAM_SUN, light);
+  ASSERT_CLOSE(light[2], 0.5 * (1.0 + WATER_FOAM_SKY), 1e-12);
+  for (int i = 0; i < 6; ++i)
   {
-    ASSERT_CLOSE(light[i], WATER_FOAM_SKY, 0.0);
+    water_daylight_foam(daylight, i < 3 ? WATER_FOAM_SUN : 2.0, light);
+    ASSERT_CLOSE(light[i % 3], WATER_FOAM_SKY, 1e-12);
   }
 }
 

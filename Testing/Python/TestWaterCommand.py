@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+import warnings
 
 import numpy as np
 import pytest
@@ -146,6 +147,15 @@ def test_no_data_may_have_more_digits_than_pixels(tmp_path):
     heights[:, :2] = 5.0
     write_tiff(tmp_path / "holes.tif", heights)
     wt.check_equal("heights", readers.read(tmp_path / "holes.tif", no_data=-9999.9).data.GetBounds()[4:], (5.0, 5.0))
+
+
+def test_no_data_of_whole_numbers_is_exact():
+    """Rounded to 32 bits, 16777217 is 16777216."""
+    heights = np.array([[16777216, 16777217], [5, 6]])
+    wt.check_equal("holes", readers.is_no_data(heights, 16777217).tolist(), [[False, True], [False, False]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        wt.check_equal("the lowest number", bool(readers.is_no_data(heights.astype(np.float32), -1.8e308 / 1.01).any()), False)
 
 
 def test_a_tiff_knows_its_own_holes(folder):
@@ -409,7 +419,7 @@ def test_a_movie_that_has_no_frame_leaves_files_as_they_are(rate, tmp_path):
         pass
     with pytest.raises(ValueError) as raised:
         movies.open_movie(old, rate)
-    wt.check_equal("the error", str(raised.value), f"frames_per_second is {rate:g}; it must be more than 0, and finite")
+    wt.check_equal("the error", str(raised.value), f"frames_per_second is {rate:g}; it must be at least 0.002, and finite")
     wt.check_equal("the old one, a new one", (old.read_bytes(), (tmp_path / "new.gif").exists()), (b"old", False))
 
 

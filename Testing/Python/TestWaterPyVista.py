@@ -21,7 +21,7 @@ except ImportError as error:
     print(f"skipped: {reason}")
     pytest.skip(reason, allow_module_level=True)
 import vtkwater.pyvista  # noqa: F401
-from vtkmodules.vtkRenderingCore import vtkActor
+from vtkmodules.vtkRenderingCore import vtkActor, vtkBillboardTextActor3D
 from vtkwater import vtkWaterActor
 
 SIZE = (320, 240)
@@ -301,7 +301,7 @@ WRONG = [  # the exception, a part of its text, the argument
     (TypeError, "name must be str, not list", {"name": []}),
     (ValueError, "name is ''", {"name": ""}),
     (ValueError, "units is -1; metres per unit must lie in [1e-09, 1e+09]", {"units": -1}),
-    (ValueError, "level has 401 digits; it must be less than 1e308", {"level": 10**400}),
+    (ValueError, "level is too large; it must lie in [-1e308, 1e308]", {"level": 10**400}),
     (TypeError, "bounds must be a sequence of numbers, not float64", {"bounds": np.float64(3)}),
     (TypeError, "shadows must be bool, not ndarray", {"shadows": np.array([1, 2])}),
     (TypeError, "scalar_bar must be bool, not ndarray", {"scalar_bar": np.array([1, 2])}),
@@ -441,3 +441,25 @@ def test_a_grid_is_seen_through_the_water():
         made.close()
     below = np.abs(pictures[1] - pictures[0]).max(axis=2)[SIZE[1] * 6 // 10:]
     wt.check_at_least("pixels of the axes under water", int((below > 20).sum()), 100)
+
+
+def test_texts_that_turn_to_the_eye_keep_their_size():
+    """A view of its own of clear water does not draw them: VTK would keep the size that they have there."""
+    counts = []
+    for own_view in (False, True):
+        made = pv.Plotter(off_screen=True, window_size=SIZE)
+        made.add_mesh(pv.Cone(direction=(0, 0, 1)), color=RED)
+        text = vtkBillboardTextActor3D()
+        text.SetInput("above")
+        text.SetPosition(0.6, 0.0, 0.5)
+        text.GetTextProperty().SetColor(0, 0, 1)
+        text.GetTextProperty().SetFontSize(24)
+        made.add_actor(text)
+        made.add_water(level=-0.2, own_view=own_view)
+        made.camera.elevation = -20
+        made.render()
+        picture = picture_of(made).astype(int)
+        counts.append(int((picture[..., 2] - picture[..., 0] > 120).sum()))
+        made.close()
+    wt.check_at_least("pixels of the text", counts[0], 50)
+    wt.check_at_most("with an own view, of those without, less 1", abs(counts[1] / counts[0] - 1), 0.1)

@@ -182,3 +182,20 @@ def test_a_time_without_units_is_said(tmp_path, has_bed):
         solutions.Solution(path, ["h"]).step(0)
     for words in ("the time 'time' has no units", "give its variable the attribute units"):
         wt.check_equal(words, words in str(caught.value), True)
+
+
+@pytest.mark.parametrize("has_data, is_refused", ((True, False), (False, True)))
+def test_an_empty_dimension_is_no_matter_if_others_have_data(has_data, is_refused, tmp_path):
+    """A run that has just begun is an error; an empty list of stations beside a grid is none."""
+    with netCDF4.Dataset(tmp_path / "a.nc", "w") as file:
+        for name, size in (("time", None), ("y", 3), ("x", 4), ("station", None)):
+            file.createDimension(name, size)
+        file.createVariable("heights", "f8", ("station", "x"))
+        if has_data:
+            file.createVariable("zeta", "f8", ("y", "x"))[:] = 1.0
+    refused = None
+    try:
+        netcdf.check_dimensions(tmp_path / "a.nc")
+    except FileError as error:
+        refused = str(error)
+    wt.check_equal(f"refused: {refused}", refused is not None and "'station' is empty" in refused, is_refused)

@@ -187,6 +187,27 @@ def test_what_is_no_height_is_dry(names, spoilt, bad):
     wt.check_at_most("heights off by", float(np.abs(places[:, 2] - 10.0).max()), 1e-9)
 
 
+@pytest.mark.parametrize("names, spoilt", (
+    ({"LevelArrayName": "zeta", "DepthArrayName": "h"}, "zeta"), ({"LevelArrayName": "zeta", "DepthArrayName": "h"}, "h"),
+    ({"LevelArrayName": "zeta", "BedArrayName": "zb"}, "zb"), ({"DepthArrayName": "h", "BedArrayName": "zb"}, "zb")))
+def test_cells_without_a_height_are_dry(names, spoilt):
+    """NaN and a fill value in data of cells end the water at the same place, at most half a cell beyond."""
+    ends = []
+    for bad in (float("nan"), 1e36):
+        mesh = mesh_of()
+        count = mesh.GetNumberOfCells()
+        values = {"zeta": np.full(count, 2.0), "h": np.full(count, 1.0), "zb": np.full(count, 1.0)}
+        values[spoilt][places_of(mesh, True)[:, 0] > 1] = bad
+        for name in ("zeta", "h", "zb"):
+            add_array(mesh, name, values[name], of_cells=True)
+        _, surface, said = surface_of(mesh, **names)
+        wt.check_equal("errors", said, [])
+        ends.append(float(points_of(surface)[:, 0].max()))
+    wt.check_at_most("ends apart", abs(ends[0] - ends[1]), 1e-9)
+    wt.check_at_most("water ends at x", max(ends), 2.0)
+    wt.check_at_least("and at x", min(ends), 0.5)
+
+
 def test_the_level_alone_is_wet_everywhere():
     mesh = flooded(0.4)
     _, surface, _ = surface_of(mesh, LevelArrayName="zeta")

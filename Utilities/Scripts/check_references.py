@@ -11,9 +11,9 @@ import sys
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 SUFFIXES = {".c", ".h", ".cxx", ".glsl", ".py"}
-CITATION = re.compile(r"Sources?: (.{0,400})")
+CITATION = re.compile(r"Sources?: ((?:(?!Sources?: ).){0,400})")
 YEAR = re.compile(r"\b(1[7-9]\d\d|20\d\d)\b")
-NAME = re.compile(r"[A-Z][\w'’-]*[a-zà-ÿ]")
+NAME = re.compile(r"[^\W\d_a-zà-ÿ][\w'’-]*[a-zà-ÿ]|[A-Z]{2,}")
 
 
 def citations(text):
@@ -26,10 +26,15 @@ def missing_of(citation, rows):
     """The years of a citation that no row has together with one of the last names before them."""
     citation = re.split(r"(?<=\d{4})[^;]*?\. (?=[A-Z])", citation.replace("et al.", ""))[0]  # its first sentence
     found = []
+    years = set()
     begin = 0
     for year in YEAR.finditer(citation):
+        if year.group(1) in years:  # of a conference
+            continue
+        years.add(year.group(1))
         names = NAME.findall(citation[begin:year.start()])[-8:]
-        if names and not any(year.group(1) in row and any(name in row for name in names) for row in rows):
+        if not any(year.group(1) in row and any(re.search(rf"\b{name}\b", row.split("(")[0]) for name in names)
+                   for row in rows):
             found.append(f"{' '.join(names)} {year.group(1)}")
         begin = year.end()
     return found
@@ -37,11 +42,12 @@ def missing_of(citation, rows):
 
 def self_test():
     """Does it find what it is to find?"""
-    text = "// what it does. Source: Porter and Duff, 1984; Samet\n// et al. 1985. Measured in 2026."
+    text = ("// what it does. Source: Porter and Duff, 1984; Samet\n// et al. 1985. Measured in 2026.\n"
+            "// Source: Alpha 1984. Foo.\n// Source: Ångström 1985.")
     rows = ["| Porter, T., Duff, T. (1984): ...", "| Samet, H. (1984): ..."]
     found = [missing_of(citation, rows) for citation in citations(text)]
     print(f"self-test: {found}")
-    return 0 if found == [["Samet 1985"]] else 1
+    return 0 if found == [["Samet 1985"], ["Alpha 1984"], ["Ångström 1985"]] else 1
 
 
 def main():

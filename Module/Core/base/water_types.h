@@ -44,7 +44,8 @@ enum // water_prop.flags, a bit each
   WATER_PROP_IS_SKY = 1 << 7,        // it shows the sky that water_scene.sky describes
   WATER_PROP_OWN_OTHER = 1 << 8,     // own views draw the prop itself, mirrored views its stand-in
                                      // or nothing
-  WATER_PROP_OWN_VISIBLE = 1 << 9    // the prop itself is visible
+  WATER_PROP_OWN_VISIBLE = 1 << 9,   // the prop itself is visible
+  WATER_PROP_RULER = 1 << 10 // a label that own views draw: it is the same in views of any size
 };
 
 typedef struct water_prop

@@ -56,10 +56,12 @@ void water_daylight_deep_color(
   }
 }
 
-void water_daylight_foam(const double daylight[3], bool has_sun, double light[3])
+void water_daylight_foam(const double daylight[3], double sun, double light[3])
 {
+  const double share = fmin(sun / WATER_FOAM_SUN, 1.0);
   for (int i = 0; i < 3; ++i)
   {
-    light[i] = has_sun ? WATER_FOAM_SKY : fmax(water_display_encode(daylight[i]), WATER_FOAM_SKY);
+    const double without = fmax(water_display_encode(daylight[i]), WATER_FOAM_SKY);
+    light[i] = (1.0 - share) * without + share * WATER_FOAM_SKY;
   }
 }

@@ -40,11 +40,14 @@ void water_daylight_add_light(const double normal[3], const double dir[3], const
 void water_daylight_deep_color(
   const water_medium* medium, const double daylight[3], double color[3]);
 
-// Light on foam, besides the sun's direct light, as a share of its colour in [0, 1]. With a sun it
+// Light on foam, besides the sun's direct light, as a share of its colour in [0, 1]. Under a sun it
 // is that of the sky, WATER_FOAM_SKY. Without one it is what a white card in the plane shows under
-// the daylight, and at least as much.
+// the daylight, and at least as much. Below WATER_FOAM_SUN it is a mixture.
+//
+// sun  light of the sun on the plane, over pi: intensity times the cosine, >= 0
 #define WATER_FOAM_SKY 0.35
-void water_daylight_foam(const double daylight[3], bool has_sun, double light[3]);
+#define WATER_FOAM_SUN 0.25
+void water_daylight_foam(const double daylight[3], double sun, double light[3]);
 
 #ifdef __cplusplus
 }

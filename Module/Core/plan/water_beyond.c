@@ -56,10 +56,10 @@ water_prop water_beyond_prop(const water_prop* prop)
     made.flags &= ~(uint32_t)WATER_PROP_VISIBLE;
     made.flags |= visible | WATER_PROP_NO_BOUNDS;
   }
-  if (prop->flags & WATER_PROP_LABEL)
+  if (prop->flags & WATER_PROP_RULER)
   {
-    made.flags &= ~(uint32_t)WATER_PROP_LABEL; // its bounds were not read
-    made.flags |= WATER_PROP_NO_BOUNDS;
+    made.flags &= ~(uint32_t)WATER_PROP_LABEL;
+    made.flags |= WATER_PROP_NO_BOUNDS; // those of labels are not read
   }
   return made;
 }

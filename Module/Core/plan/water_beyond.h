@@ -51,7 +51,8 @@ water_status water_beyond_size(const int viewport_px[2], const int tile_scale[2]
   int max_texture_px, int texture_px[2], double picture_scale[2]);
 
 // A prop as the own view draws it: the prop itself, even if mirrored views draw a stand-in for it,
-// or nothing. Its bounds are then not known. Rulers and axes, too, are seen through the water.
+// or nothing. Its bounds are then not known. Rulers, too, are seen through the water, and no other
+// labels.
 water_prop water_beyond_prop(const water_prop* prop);
 
 // Are translucent props and volumes kept apart in the own view, so that rays meet them where they

@@ -53,7 +53,7 @@ bool IsOfItsView(vtkProp* prop)
 {
   const char* name = prop->GetClassName();
   const bool isLabel = prop->IsA("vtkBillboardTextActor3D") || prop->IsA("vtkFlagpoleLabel");
-  return !prop->IsA("vtkActor2D") && !isLabel && !IsWater(prop) &&
+  return !vtkWaterProps::IsOverlay(prop) && !isLabel && !IsWater(prop) &&
     std::none_of(std::begin(kOfNoView), std::end(kOfNoView),
       [name](const char* known) { return std::strcmp(name, known) == 0; });
 }

@@ -25,6 +25,9 @@ const char* const kAnnotations[] = { "vtkCubeAxesActor", "vtkAxesActor", "vtkAxi
   "vtkAxisFollower", "vtkProp3DAxisFollower", "vtkPolarAxesActor", "vtkGridAxesActor2D",
   "vtkGridAxesActor3D", "vtkGridAxesPlaneActor2D", "vtkAnnotatedCubeActor" };
 
+// Those whose letters and lines are the same in views of any size.
+const char* const kRulers[] = { "vtkCubeAxesActor", "vtkPolarAxesActor" };
+
 // Does a pipeline begin with a text?
 bool IsOfText(vtkAlgorithm* filter)
 {
@@ -89,6 +92,9 @@ uint32_t ReadFlags(vtkProp* prop, bool hasStandIn, const vtkWaterSnapshot& mirro
   if (isTurned || (!isMarked && !hasStandIn && IsAnnotation(prop)))
   {
     flags |= WATER_PROP_LABEL;
+    const bool isRuler = std::any_of(std::begin(kRulers), std::end(kRulers),
+      [prop](const char* ruler) { return prop->IsA(ruler); });
+    flags |= isRuler ? static_cast<uint32_t>(WATER_PROP_RULER) : 0u;
   }
   if (prop->IsA("vtkSkybox"))
   {

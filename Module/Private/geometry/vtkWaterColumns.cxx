@@ -198,8 +198,9 @@ void vtkWaterColumns::ReadBeds(vtkPolyData* mesh, const Given& given)
     const Values bedsOfCells(given.Bed);
     vtkWaterForEachCell(
       mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-        std::for_each(points, points + count,
-          [&](vtkIdType point) { means[static_cast<size_t>(point)].Add(bedsOfCells[cell]); });
+        std::for_each(points, points + count, [&](vtkIdType point) {
+          means[static_cast<size_t>(point)].Add(water_shore_known(bedsOfCells[cell]));
+        });
       });
     std::transform(
       means.begin(), means.end(), this->Beds.begin(), [](const Mean& mean) { return mean.Get(); });
@@ -227,8 +228,9 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
   vtkWaterForEachCell(
     mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
       Mean own;
-      std::for_each(points, points + count,
-        [&](vtkIdType point) { own.Add(this->Beds[static_cast<size_t>(point)]); });
+      std::for_each(points, points + count, [&](vtkIdType point) {
+        own.Add(water_shore_known(this->Beds[static_cast<size_t>(point)]));
+      });
       const double bed = given.IsBedOfCells ? givenBeds[cell] : own.Get();
       const bool hasBed = given.Bed || !given.Level;
       const water_column column =
@@ -246,7 +248,7 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
       }
       for (vtkIdType i = 0; i < count; ++i)
       {
-        beds[static_cast<size_t>(points[i])].Add(column.bed);
+        beds[static_cast<size_t>(points[i])].Add(water_shore_known(column.bed));
         if (column.is_wet)
         {
           this->IsWet[static_cast<size_t>(points[i])] = 1;

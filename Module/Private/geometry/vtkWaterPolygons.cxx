@@ -9,7 +9,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <map>
@@ -26,6 +28,17 @@ vtkIdType PointsOfType(int type)
 // The first cell with fewer points than its type has; empty: there is none.
 std::string FindMissingCorner(vtkUnstructuredGrid* grid)
 {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  const vtkIdType types = grid->GetCellTypes() ? grid->GetCellTypes()->GetNumberOfValues() : 0;
+#else
+  const vtkIdType types =
+    grid->GetCellTypesArray() ? grid->GetCellTypesArray()->GetNumberOfValues() : 0;
+#endif
+  if (types < grid->GetCells()->GetNumberOfCells())
+  {
+    return "the grid has " + std::to_string(types) + " cell types; it has " +
+      std::to_string(grid->GetCells()->GetNumberOfCells()) + " cells";
+  }
   std::map<int, vtkIdType> wanted;
   std::string wrong;
   vtkWaterForEachCell(grid->GetCells(), [&](vtkIdType cell, const vtkIdType*, vtkIdType count) {

@@ -235,7 +235,7 @@ bool vtkWaterProps::IsOverlay(vtkProp* prop)
   {
     return true;
   }
-  if (!prop->IsA("vtkWidgetRepresentation") || prop->GetBounds())
+  if (prop->IsA("vtkProp3D") || prop->GetBounds()) // most are the former, whose bounds take time
   {
     return false;
   }
@@ -246,7 +246,8 @@ bool vtkWaterProps::IsOverlay(vtkProp* prop)
   prop->GetActors2D(flat);
   // some name none of their parts
   return parts->GetNumberOfItems() == 0 &&
-    (flat->GetNumberOfItems() > 0 || std::strstr(prop->GetClassName(), "2D"));
+    (flat->GetNumberOfItems() > 0 ||
+      (prop->IsA("vtkWidgetRepresentation") && std::strstr(prop->GetClassName(), "2D")));
 }
 
 //------------------------------------------------------------------------------
