@@ -4,8 +4,8 @@
     with open_movie("tide.gif", frames_per_second=12) as movie:
         movie.add(picture)    # rows x columns x RGB of 8 bits
 
-Finished pictures are kept, even if an exception ends the block. Without any, a file of that name stays as it was. `interrupts()` makes Ctrl-C wait until the current
-picture is complete:
+Finished pictures are kept, even if an exception ends the block. Without any, a file of that name stays as it was.
+`interrupts()` makes Ctrl-C wait until the current picture is complete:
 
     with interrupts() as is_stopped:
         for step in steps:

@@ -331,7 +331,8 @@ def add_water(
     log_scale = flag("log_scale", log_scale)
     scale = self.renderer.scale
     if not all(0.0 < factor < float("inf") for factor in scale):
-        raise ValueError(f"the plotter's scale is {tuple(scale)}; its factors (set_scale) must be finite and more than 0")
+        raise ValueError(
+            f"the plotter's scale is {tuple(scale)}; its factors (set_scale) must be finite and more than 0")
     if pv.global_theme.jupyter_backend in DRAWN_BY_VTK_JS:
         warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which cannot "
                       "draw water and leaves it out; call pyvista.set_jupyter_backend('server')", stacklevel=2)
@@ -412,7 +413,8 @@ def add_water(
         try:
             self.add_scalar_bar(color_by, mapper=mapper, render=False)
         except RuntimeError as error:  # PyVista has so many
-            warnings.warn(f"{color_by!r} has no scalar bar: {str(error).rstrip('.')}. Pass scalar_bar=False", stacklevel=2)
+            reason = str(error).rstrip(".")
+            warnings.warn(f"{color_by!r} has no scalar bar: {reason}. Pass scalar_bar=False", stacklevel=2)
     bounds_known = vtkMath.AreBoundsInitialized(actor.GetBounds() or (1, -1, 1, -1, 1, -1))  # also chooses the sheet
     if surface is None and heights is not None:
         is_sheet = bounds is None and not actor.GetSheetToHorizon()

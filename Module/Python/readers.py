@@ -220,7 +220,8 @@ def heard(path, what):
         vtkOutputWindow.SetInstance(shown)
         vtkLogger.SetStderrVerbosity(verbosity)
     if "ERROR" in log.GetOutput().upper():
-        lines = [line for line in log.GetOutput().splitlines() if line and not re.match(r"(ERROR|Warning|Generic Warning): In ", line)]
+        lines = [line for line in log.GetOutput().splitlines()
+                 if line and not re.match(r"(ERROR|Warning|Generic Warning): In ", line)]
         reason = lines[0].partition("): ")[2] or lines[0] if lines else "reading stopped before its end"
         raise FileError(f"{path}: not {what}: {reason}")
 
@@ -360,8 +361,9 @@ def grid_of_tiff(path, no_data=None):
             if image.format != "TIFF":
                 raise FileError(f"{path}: not a TIFF image but {image.format}")
             no_data_tag = image.tag_v2.get(TIFF_NO_DATA)
-            spacing, tie, keys, matrix = (numbers_of(image.tag_v2.get(tag), tag, path)
-                                          for tag in (TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS, TIFF_TRANSFORMATION))
+            spacing, tie, keys, matrix = (
+                numbers_of(image.tag_v2.get(tag), tag, path)
+                for tag in (TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS, TIFF_TRANSFORMATION))
             heights = np.asarray(image)
     except Image.UnidentifiedImageError as error:
         with open(path, "rb") as file:
