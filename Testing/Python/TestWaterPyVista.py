@@ -463,3 +463,15 @@ def test_texts_that_turn_to_the_eye_keep_their_size():
         made.close()
     wt.check_at_least("pixels of the text", counts[0], 50)
     wt.check_at_most("with an own view, of those without, less 1", abs(counts[1] / counts[0] - 1), 0.1)
+
+
+@pytest.mark.parametrize("mesh_x, bounds, least, most", (
+    (0.0, (-1e4, 1e4, -1e4, 1e4), 0.05, 0.9), (5000.0, (4500, 5500, -500, 500), 1000.0, 4500.0)), ids=("wide", "far"))
+def test_the_near_plane_lies_before_the_nearest_water(mesh_x, bounds, least, most, plotter):
+    """With a camera that was set: VTK keeps it at a thousandth of the far plane, which a wide sheet moves away."""
+    plotter.add_mesh(pv.Sphere(center=(mesh_x, 0, 0)))
+    plotter.camera_position = [(-3.0, 0.0, 1.5 if mesh_x == 0.0 else -0.19), (mesh_x, 0.0, 0.0), (0.0, 0.0, 1.0)]
+    plotter.add_water(level=-0.2, bounds=bounds, units="m", render=False)
+    near = plotter.camera.clipping_range[0]
+    wt.check_at_least("near plane", near, least)
+    wt.check_at_most("near plane", near, most)
