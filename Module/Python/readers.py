@@ -275,17 +275,24 @@ def check_cells(data, path):
         raise FileError(f"{path}: {wrong}")
 
 
+def dimensions_of(grid):
+    dimensions = [0, 0, 0]
+    try:
+        grid.GetDimensions(dimensions)
+    except TypeError:  # VTK 9.1, of rectilinear grids
+        dimensions = grid.GetDimensions()
+    return dimensions
+
+
 def wrong_cell_of(data):
     """What VTK's filters would crash on: a point that does not exist, or a cell with fewer points than its type has."""
     count = data.GetNumberOfPoints()
     if data.IsA("vtkStructuredGrid"):
-        dimensions = [0, 0, 0]
-        data.GetDimensions(dimensions)
+        dimensions = dimensions_of(data)
         wanted = math.prod(dimensions)
         return "" if count >= wanted else f"the grid has {count} points; its dimensions need {wanted}"
     if data.IsA("vtkRectilinearGrid"):
-        dimensions = [0, 0, 0]
-        data.GetDimensions(dimensions)
+        dimensions = dimensions_of(data)
         axes = (data.GetXCoordinates(), data.GetYCoordinates(), data.GetZCoordinates())
         has = [axis.GetNumberOfTuples() if axis else 0 for axis in axes]
         return next((f"the grid has {has[i]} coordinates along axis {i}; its dimensions need {dimensions[i]}"

@@ -189,7 +189,7 @@ def test_settings_are_checked_copied_and_printed():
         water.SetMatterAbsorption(wrong)
         water.SetMatterScattering(wrong)
     wt.check_equal("errors", len(errors), 6)
-    wt.check("the text", "finite and not negative", "in it", "finite and not negative" in errors[0])
+    wt.check("the text", "finite, not negative and at most 1e9", "in it", "finite, not negative and at most 1e9" in errors[0])
     wt.check_at_most("defaults are off", float(np.abs(np.subtract(
         water.GetMatterAbsorption() + water.GetMatterScattering(),
         (0.0032, 0.0110, 0.0376, 0.012, 0.012, 0.012))).max()), 5e-5)
