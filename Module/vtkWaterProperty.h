@@ -121,8 +121,8 @@ public:
   ///@{
   /**
    * Absorption of the water, 1/m at 650, 550 and 450 nm (red, green, blue): in [0, 1e9].
-   * Lengths in the scene's unit are converted by MetresPerUnit. After a path of x metres,
-   * the fraction exp(-(absorption + scattering) x) of the light remains. Default is that of a clear
+   * Lengths in the scene's unit are converted by MetresPerUnit. After a path of x metres, the
+   * fraction exp(-(absorption + scattering) x) of the light remains. Default is that of a clear
    * lake (water_preset_default).
    */
   void SetAbsorption(double red, double green, double blue);
@@ -135,9 +135,9 @@ public:
 
   ///@{
   /**
-   * Scattering of the water, 1/m at 650, 550 and 450 nm (red, green, blue): finite and not
-   * negative. Count only scattering out of the line of sight; for real water this is the backward
-   * part. Default is that of a clear lake (water_preset_default).
+   * Scattering of the water, 1/m at 650, 550 and 450 nm (red, green, blue): in [0, 1e9].
+   * Count only scattering out of the line of sight; for real water this is the backward part.
+   * Default is that of a clear lake (water_preset_default).
    */
   void SetScattering(double red, double green, double blue);
   void SetScattering(const double perMetre[3])

@@ -194,7 +194,7 @@ class TiffStack:
             if max(abs(a - b) for a, b in zip(one, other)) > MOST_OFF * scale * max(first[1]):
                 raise FileError(f"{file}: its {what} is {other[0]:g}, {other[1]:g}; that of {first[3].name} is "
                                 f"{one[0]:g}, {one[1]:g}, and all files must lie in one place")
-        holes = no_data is not None and is_no_data(np.asarray(values), no_data)
-        values = np.array(values, dtype=float)
-        values[holes] = np.nan
-        return values
+        heights = np.array(values, dtype=float)
+        if no_data is not None:
+            heights[is_no_data(np.asarray(values), no_data)] = np.nan
+        return heights

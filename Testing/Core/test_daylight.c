@@ -155,15 +155,22 @@ TEST(foam_is_lit_by_the_daylight)
 {
   const double daylight[3] = { 0.0, 0.5, 3.0 };
   double light[3];
-  water_daylight_foam(daylight, 0.0, light);
+  const double low[3] = { 0.866, 0.0, 0.5 }; // the cosine to the plane is half
+  const double under[3] = { 0.0, 0.0, -1.0 };
+  const double sun[3] = { 0.5 * WATER_FOAM_SUN, WATER_FOAM_SUN, 0.0 };
+  const double suns[2][3] = { { 2.0 * WATER_FOAM_SUN, 0.0, 0.0 }, { 0.0, 0.0, 4.0 } };
+  double same[3];
+  water_daylight_foam(daylight, sun, NULL, light);
+  water_daylight_foam(daylight, sun, under, same);
   ASSERT_CLOSE(light[0], WATER_FOAM_SKY, 0.0);
   ASSERT_CLOSE(light[1], water_display_encode(0.5), 0.0);
   ASSERT_CLOSE(light[2], 1.0, 1e-12);
-  water_daylight_foam(daylight, 0.5 * WATER_FOAM_SUN, light);
+  ASSERT_CLOSE(same[2], light[2], 0.0); // a sun under the plane lights nothing
+  water_daylight_foam(daylight, sun, low, light);
   ASSERT_CLOSE(light[2], 0.5 * (1.0 + WATER_FOAM_SKY), 1e-12);
   for (int i = 0; i < 6; ++i)
   {
-    water_daylight_foam(daylight, i < 3 ? WATER_FOAM_SUN : 2.0, light);
+    water_daylight_foam(daylight, suns[i / 3], low, light);
     ASSERT_CLOSE(light[i % 3], WATER_FOAM_SKY, 1e-12);
   }
 }

@@ -78,6 +78,7 @@ TEST(beds_cover_three_quarters)
     { { -900.0, 302.0, 70.0, 72.0, -2.0, 0.0 }, false },
     { { 300.0, 304.0, 71.0, 900.0, -2.0, 0.0 }, false },
     { { 300.0, 304.0, -900.0, 71.0, -2.0, 0.0 }, false },
+    { { 900.0, 903.0, 900.0, 902.0, -2.0, 0.0 }, false }, // beside the scene along both axes
     { { -900.0, 900.0, -900.0, 900.0, -2.0, 0.0 }, true } };
   for (size_t i = 0; i < sizeof beds / sizeof beds[0]; ++i)
   {

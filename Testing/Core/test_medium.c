@@ -207,14 +207,14 @@ TEST(jerlov_types_are_in_order)
 
 TEST(bad_numbers_are_refused)
 {
-  const double bad[3] = { -0.1, (double)NAN, (double)INFINITY };
-  for (int i = 0; i < 3; ++i)
+  const double bad[4] = { -0.1, (double)NAN, (double)INFINITY, 1.1e9 };
+  for (int i = 0; i < 4; ++i)
   {
     water_medium medium = { { 0.1, 0.1, 0.1 }, { 0.1, 0.1, 0.1 } };
     assert_int_equal(water_medium_check(&medium), WATER_OK);
-    medium.scattering[i] = bad[i];
+    medium.scattering[i % 3] = bad[i];
     assert_int_equal(water_medium_check(&medium), WATER_BAD_SCATTERING);
-    medium.absorption[i] = bad[i];
+    medium.absorption[i % 3] = bad[i];
     assert_int_equal(water_medium_check(&medium), WATER_BAD_ABSORPTION);
   }
   double kd[3] = { 7.0, 7.0, 7.0 };

@@ -270,6 +270,7 @@ TEST(bad_waves_are_refused)
     { { nan, 1, 0, 0, 0 }, WATER_BAD_WAVE_AMPLITUDE },
     { { -1, 1, 0, 0, 0 }, WATER_BAD_WAVE_AMPLITUDE },
     { { infinity, 1, 0, 0, 0 }, WATER_BAD_WAVE_AMPLITUDE },
+    { { 1.1e9, 1, 0, 0, 0 }, WATER_BAD_WAVE_AMPLITUDE },
     { { 1, 0, 0, 0, 0 }, WATER_BAD_WAVELENGTH },
     { { 1, nan, 0, 0, 0 }, WATER_BAD_WAVELENGTH },
     { { 1, infinity, 0, 0, 0 }, WATER_BAD_WAVELENGTH },

@@ -57,6 +57,7 @@ def test_looks_natural():
         wt.check(f"sun at {elevation}: the zenith is blue", up.round(3), "blue > green > red", up[2] > up[1] > up[0])
         color = np.array(sky.GetSunColor())
         wt.check_at_most(f"sun at {elevation}: its brightest colour", float(color.max()), 1.0)
+    wt.check_equal("turbidity of a new sky", sky.GetTurbidity(), 2.0)
     sky.SetElevation(3)
     low = np.array(sky.GetSunColor())
     sky.SetElevation(60)

@@ -190,9 +190,11 @@ def test_json_has_the_same(folder, capsys):
 @pytest.mark.parametrize("name, words", (
     ("nothing.tif", ("nothing.tif", "no such file")),
     ("empty", ("has no GeoTIFF files",)),
+    ("coded.pvd", ("not a ParaView collection", "unknown encoding")),
     ("flood.doc", ("unknown file type .doc", ".tif", ".pvd"))))
 def test_what_cannot_be_read_is_an_error_in_a_line(folder, name, words, capsys):
     (folder / "flood.doc").write_text("no data")
+    (folder / "coded.pvd").write_text('<?xml version="1.0" encoding="foo"?><VTKFile/>')
     status = command.main(["info", str(folder / name)])
     said = capsys.readouterr().err
     wt.check_equal(f"{said!r}: status, lines", (status, said.count("\n")), (1, 1))

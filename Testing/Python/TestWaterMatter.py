@@ -185,10 +185,10 @@ def test_the_array_is_followed_from_frame_to_frame():
 def test_settings_are_checked_copied_and_printed():
     water = vtkWaterActor()
     errors = wt.errors_of(water)
-    for wrong in ((-1, 0, 0), (0, float("nan"), 0), (0, 0, float("inf"))):
+    for wrong in ((-1, 0, 0), (0, float("nan"), 0), (0, 0, float("inf")), (2e9, 0, 0)):
         water.SetMatterAbsorption(wrong)
         water.SetMatterScattering(wrong)
-    wt.check_equal("errors", len(errors), 6)
+    wt.check_equal("errors", len(errors), 8)
     wt.check("the text", "finite, not negative and at most 1e9", "in it", "finite, not negative and at most 1e9" in errors[0])
     wt.check_at_most("defaults are off", float(np.abs(np.subtract(
         water.GetMatterAbsorption() + water.GetMatterScattering(),

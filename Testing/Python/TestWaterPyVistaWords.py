@@ -88,7 +88,7 @@ ARRIVES = {  # the words, what is asked of the look, the answer
     "numpy's refraction": ({"refraction": np.True_, "preset": "lake"}, vtkWaterProperty.GetRefraction, True),
     "foam": ({"foam": 0.5}, lambda look: (look.GetFoamDepth(), look.GetFoamFitsScene()), (0.5, False)),
     "foam of the usual depth": (
-        {"foam": True},
+        {"foam": np.True_},
         lambda look: (look.GetFoamDepth(), look.GetFoamFitsScene(), look.GetRefraction()),
         (0.25, True, True),
     ),

@@ -27,9 +27,8 @@ typedef struct water_plane
 typedef struct water_camera
 {
   double world_to_view[16]; // rigid: rotation and translation only; looks along -z
-  double
-    view_to_clip[16]; // perspective, off-axis or parallel; clip z/w of what is drawn is in [-1, 1]
-  bool parallel;      // parallel projection
+  double view_to_clip[16];  // of any projection; clip z/w of what is drawn is in [-1, 1]
+  bool parallel;            // parallel projection
 } water_camera;
 
 enum // water_prop.flags, a bit each
@@ -45,7 +44,7 @@ enum // water_prop.flags, a bit each
   WATER_PROP_OWN_OTHER = 1 << 8,     // own views draw the prop itself, mirrored views its stand-in
                                      // or nothing
   WATER_PROP_OWN_VISIBLE = 1 << 9,   // the prop itself is visible
-  WATER_PROP_RULER = 1 << 10 // a label that own views draw: it is the same in views of any size
+  WATER_PROP_RULER = 1 << 10         // a label that own views draw, the same in views of any size
 };
 
 typedef struct water_prop

@@ -56,8 +56,11 @@ void water_daylight_deep_color(
   }
 }
 
-void water_daylight_foam(const double daylight[3], double sun, double light[3])
+void water_daylight_foam(
+  const double daylight[3], const double sun_color[3], const double* sun_dir, double light[3])
 {
+  const double cosine = sun_dir ? fmax(sun_dir[2], 0.0) : 0.0;
+  const double sun = cosine * fmax(sun_color[0], fmax(sun_color[1], sun_color[2]));
   const double share = fmin(sun / WATER_FOAM_SUN, 1.0);
   for (int i = 0; i < 3; ++i)
   {

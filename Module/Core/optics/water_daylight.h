@@ -44,10 +44,12 @@ void water_daylight_deep_color(
 // is that of the sky, WATER_FOAM_SKY. Without one it is what a white card in the plane shows under
 // the daylight, and at least as much. Below WATER_FOAM_SUN it is a mixture.
 //
-// sun  light of the sun on the plane, over pi: intensity times the cosine, >= 0
+// sun_color  light of the sun over pi, without its cosine to the plane; >= 0
+// sun_dir    unit, towards the sun, in the plane's axes; NULL: no sun
 #define WATER_FOAM_SKY 0.35
 #define WATER_FOAM_SUN 0.25
-void water_daylight_foam(const double daylight[3], double sun, double light[3]);
+void water_daylight_foam(
+  const double daylight[3], const double sun_color[3], const double* sun_dir, double light[3]);
 
 #ifdef __cplusplus
 }

@@ -38,8 +38,8 @@ bool HasAny(vtkProp* prop, bool (*has)(vtkProp*));
 // bounds, nor drawn again, while it is being drawn: it would rebuild the list that it walks.
 bool HoldsWater(vtkProp* prop);
 
-// Is it drawn over the picture: a 2D prop, or a widget's representation that has nothing in the
-// scene?
+// Is it drawn over the picture: a 2D prop, or any other that has 2D parts and nothing in the scene,
+// as a widget's representation or a legend of scale?
 bool IsOverlay(vtkProp* prop);
 
 // Calls back for a prop that is a volume, or for those among its parts or levels of detail.

@@ -363,9 +363,8 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterFoamJacobian", look.FoamJacobian);
   uniforms::Set3(program, "waterFoamColor", look.FoamColor);
   double foamSky[3];
-  const double* sun = plan.sun_color;
-  const double cosine = plan.has_sun ? std::max(plan.sun_dir[2], 0.0) : 0.0;
-  water_daylight_foam(plan.daylight, cosine * std::max({ sun[0], sun[1], sun[2] }), foamSky);
+  water_daylight_foam(
+    plan.daylight, plan.sun_color, plan.has_sun ? plan.sun_dir : nullptr, foamSky);
   uniforms::Set3(program, "waterFoamSky", foamSky);
   double pattern[2];
   water_lookup_pattern(plan.origin_xy, look.MetresPerUnit, pattern);
