@@ -124,6 +124,47 @@ def test_edges_under_water_are_smooth(is_software, monkeypatch):
     wt.check_at_most("error with 4 samples, of that without water", errors[0] / errors[1], 2.7)
 
 
+def posts_before_stripes():
+    """White posts that stand in calm water, which reflects a board with stripes behind them and shows a bed with stripes."""
+    view = wt.View(SIZE, (0.6, 0.6, 0.6))
+    for number in range(60):
+        color = ((0.1, 0.2, 0.1), (0.9, 0.8, 0.7))[number % 2]
+        wt.add_actor(view.renderer, wt.box((0, 2, 0.05 * number + 0.025), (14, 0.1, 0.05)), color, lit=False)
+        color = ((0.2, 0.2, 0.5), (0.8, 0.8, 0.4))[number % 2]
+        wt.add_actor(view.renderer, wt.box((0, 0.2 * number - 6, -0.6), (14, 0.2, 0.1)), color, lit=False)
+    for number in range(9):
+        post = wt.add_actor(view.renderer, wt.box((0, 0, 0), (0.35, 0.35, 2)), (1, 1, 1), lit=False)
+        post.SetPosition(1.1 * number - 4.4, 0.3 * (number % 3), 0.5)
+        post.RotateY(8 * number - 32)
+    water = wt.add_water(view.renderer, None, (-7, 7, -7, 2), 0)
+    look = water.GetWaterProperty()
+    look.RefractionOn()
+    look.SetAbsorption(0, 0, 0)
+    look.SetScattering(0, 0, 0)
+    look.SetReflectanceModeToConstant()
+    look.SetReflectance(0.5)
+    wt.place_camera(view.renderer, (0.5, -8, 3), (0, 0, 0.2), (0.5, 60))
+    return view, water
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_edges_in_front_of_water_are_smooth(is_software, monkeypatch):
+    """With 4 samples a pixel that water shares with a post has the water's colour in its own samples."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    view, water = posts_before_stripes()
+    water.GetWaterProperty().RefractionOff()
+    edge = edges.near_edges(wt.water_mask(view, water), 1)
+    water.GetWaterProperty().RefractionOn()
+    errors = []
+    for is_visible in (True, False):
+        water.SetVisibility(is_visible)
+        truth, _ = edges.many_samples(view)
+        edges.set_mode(view, "MSAA-4")
+        errors.append(edges.rmse(view.picture(), truth, edge))
+    wt.check_at_least("pixels near edges", int(edge.sum()), 500)
+    wt.check_at_most("error with 4 samples, of that without water", errors[0] / errors[1], 1.0)
+
+
 # seeds: the most that errors at the edges may be of those without water, with 4 samples
 RATIOS = {8: 1.1, 4: 1.1, 10: 1.1, 12: 1.1, 6: 1.1, 102: 1.1}
 

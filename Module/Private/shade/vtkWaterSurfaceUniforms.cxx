@@ -151,9 +151,13 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterRestSteps",
     water_waves_rest_steps(program->IsUniformUsed("waterAxesToClip"), this->IsSteep));
   uniforms::Set(program, "waterFootprint", look.RayTraceFootprint);
-  const bool isSpread = this->Backdrop.GetSpread() != nullptr;
-  uniforms::Set(program, "waterSceneHasSamples", isSpread ? 1 : 0);
-  if (!isSpread)
+  const vtkWaterSampleSpread* spread = this->Backdrop.GetSpread();
+  uniforms::Set(program, "waterSceneSamples", spread ? spread->GetSamples() : 0);
+  if (spread)
+  {
+    program->SetUniform2fv("waterSamplePlaces", spread->GetSamples(), spread->GetPlaces());
+  }
+  else
   {
     this->SetNoTexture(program, "waterSceneSeen");
   }
