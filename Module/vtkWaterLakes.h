@@ -24,7 +24,7 @@
  *
  * If the mesh changes, waters and planes are updated before the next frame. A water out of view has
  * no mirrored view. Of those in view, at most MaximumNumberOfMirrors have one; the others reflect
- * only the sky.
+ * only the sky. The smallest parts, beyond MaximumNumberOfPlanes, reflect only the sky, too.
  *
  * @sa vtkWaterActor vtkWaterPlanesFilter vtkWaterSurfaceFilter
  */
@@ -96,7 +96,8 @@ public:
   ///@{
   /**
    * Maximum number of waters in view that have a mirrored view, in [0, 4096]: those whose bounds
-   * cover the largest share of the picture. The others reflect only the sky. Default is 8.
+   * cover the largest share of the picture, each part with bounds of its own. The others reflect
+   * only the sky. Default is 8.
    */
   void SetMaximumNumberOfMirrors(int mirrors);
   vtkGetMacro(MaximumNumberOfMirrors, int);
@@ -104,10 +105,10 @@ public:
 
   ///@{
   /**
-   * Largest number of planes, and of waters, in [1, 4096]. If there are more parts, the smallest
-   * ones use the nearest of these planes, and show what it would reflect at their height. In
-   * software, every clear water in view takes some milliseconds per frame, mirrored or not. Default
-   * is 16.
+   * Largest number of planes, in [1, 4096]; there is a water for each. If there are more parts, one
+   * more water, the last one, has the smallest ones. It reflects only the sky, because the mirrored
+   * view of one height is wrong at another. In software, every clear water in view takes some
+   * milliseconds per frame, mirrored or not. Default is 16.
    */
   void SetMaximumNumberOfPlanes(int planes);
   int GetMaximumNumberOfPlanes() const;

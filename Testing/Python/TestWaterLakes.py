@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_POLYGON, VTK_QUAD, VTK_VERTEX, vtkCellArray, vtkPolyData,
                                            vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper, vtkPolyDataMapper, vtkRenderer
 
@@ -278,13 +278,56 @@ def test_the_largest_in_view_have_a_mirrored_view():
     wt.check_equal("decisions with five", decisions_of(lakes), ["rendered"] * 5)
 
 
-def test_beyond_the_most_planes_small_parts_join_the_nearest():
-    lakes = lakes_of(mesh_of([0.05 * i for i in range(20)]))
+def test_small_lakes_far_apart_do_not_take_the_view_of_a_large_one():
+    """Two small lakes at one level, at both ends of the picture: their bounds cover more of it than the lake between."""
+    append = vtkAppendPolyData()
+    append.AddInputData(mesh_of((0.0, 0.0), width=0.3, depth=1.2, step=8.0))
+    append.AddInputData(mesh_of((0.2,)))
+    append.Update()
+    lakes = lakes_of(append.GetOutput(), MaximumNumberOfMirrors=1)
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    seen = view.picture()
+    waters = waters_of(lakes)
+    wt.check_equal("levels", [water.GetLevel() for water in waters], [0.2, 0.0])
+    masks = [mask_of(view, water) for water in waters]
+    wt.check_equal("the large one covers more", bool(masks[0].sum() > masks[1].sum() > 0), True)
+    wt.check_equal("mirrored views", renders_of(waters), [1, 0])
+    check_exact(view, seen, waters[:1])
+
+
+def test_beyond_the_most_planes_small_parts_are_one_water():
+    levels = [0.05 * i for i in range(20)]
+    lakes = lakes_of(mesh_of(levels))
     lakes.Update()
-    wt.check_equal("waters", lakes.GetNumberOfWaters(), 16)
+    wt.check_equal("waters", lakes.GetNumberOfWaters(), 17)
+    found = [water.GetLevel() for water in waters_of(lakes)]
+    wt.check_equal("the last is at the lowest without a plane", found[-1], min(set(levels) - set(found[:-1])))
     lakes.SetMaximumNumberOfPlanes(20)
     lakes.Update()
     wt.check_equal("waters of 20", lakes.GetNumberOfWaters(), 20)
+
+
+@pytest.mark.parametrize("planes", [1, 4])
+def test_parts_without_a_plane_reflect_the_sky_and_the_others_are_exact(planes):
+    """The view mirrored at one lake is wrong for another: the others show nothing of it, at any height."""
+    lakes = lakes_of(mesh_of(LEVELS), MaximumNumberOfPlanes=planes, MaximumNumberOfMirrors=10)
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    lakes.Update()
+    waters = waters_of(lakes)
+    wt.check_equal("waters", len(waters), planes + 1)
+    warnings = []
+    for water in waters:
+        water.AddObserver("WarningEvent", lambda *_: warnings.append("a warning"))
+    seen = view.picture()
+    check_exact(view, seen, waters[:planes])
+    rest = mask_of(view, waters[-1])
+    sky = np.array(view.renderer.GetBackground()) * 255
+    wt.check_equal("pixels of the others", bool(rest.sum() > 1000), True)
+    wt.check_at_most("not the sky, percent", 100 * (np.abs(seen[rest] - sky).max(axis=1) > 1).mean(), LIMIT_PERCENT)
+    wt.check_equal("mirrored views", renders_of(waters), [1] * planes + [0])
+    wt.check_equal("warnings", warnings, [])
 
 
 def test_waters_follow_the_mesh():

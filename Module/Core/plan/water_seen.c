@@ -20,6 +20,27 @@ double water_seen_share(const water_camera* eye, const water_plane* plane, const
   return 0.25 * fmax(box[2] - box[0], 0.0) * fmax(box[3] - box[1], 0.0);
 }
 
+double water_seen_share_of_parts(const water_camera* eye, const water_plane* plane,
+  const double* bounds, size_t count, const double mesh_to_world[16])
+{
+  double sum = 0.0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    double moved[6];
+    water_bounds_begin(moved);
+    for (int number = 0; number < 8; ++number)
+    {
+      double corner[3];
+      double world[4];
+      water_bounds_corner(bounds + 6 * i, number, corner);
+      water_mat4_apply_point(mesh_to_world, corner, world);
+      water_bounds_add_point(moved, world);
+    }
+    sum += water_seen_share(eye, plane, moved);
+  }
+  return fmin(sum, 1.0);
+}
+
 double water_seen_distance(const water_plane* plane, const double eye[3])
 {
   water_plane unit;
