@@ -135,8 +135,8 @@ public:
    * the mapper is not a vtkPolyDataMapper, or shows edges, vertices or a wireframe, or has shader
    * code of the user; and if the driver's clip distances are wrong. It is also so if a cell next to
    * water is completely dry (as behind a dyke), if the shore crosses a polygon of five or more
-   * corners twice, if a quad has water of two lakes, or if a displayed array is NaN at a dry point
-   * next to water.
+   * corners twice, if a quad has water of two lakes, if a dry point is next to two lakes at
+   * different levels, or if a displayed array is NaN at a dry point next to water.
    *
    * Pickers, exporters and filters that use a water's mapper, or the vtkWaterSurfaceFilter, get the
    * cut mesh. It is made when it is asked for. Another number is rejected with an error. Default is

@@ -233,6 +233,49 @@ def set_array(mesh, name, values):
     mesh.GetPointData().AddArray(array)
 
 
+LEFT, RIGHT = 0.3, 0.1  # levels of two lakes with a ridge between
+
+
+def ridge_of(top, direction):
+    """A solver's mesh: a grid of points, and a ridge of one row of dry points across it, with a lake on each side."""
+    x, y = (part.ravel() for part in np.meshgrid(np.arange(-6.0, 7.0), np.arange(-2.0, 3.0)))
+    across = x + direction * y
+    mesh = vtkPolyData()
+    mesh.ShallowCopy(mesh_of((0.0,), rows=5, columns=13, width=12.0, depth=4.0))
+    bed = top - 0.4 * np.abs(across)
+    set_array(mesh, "zb", bed)
+    set_array(mesh, "h", np.maximum(np.where(across < 0, LEFT, RIGHT) - bed, 0.0) * (across != 0))
+    return mesh
+
+
+@pytest.mark.parametrize("cut", (vtkWaterLakes.CUT_IN_FILTER, vtkWaterLakes.CUT_WHILE_DRAWN), ids=("filter", "drawn"))
+@pytest.mark.parametrize("top", (0.45, LEFT), ids=("high", "at the level"))
+@pytest.mark.parametrize("direction", (-1, 0, 1))
+def test_lakes_with_a_ridge_between_end_at_their_own_levels(direction, top, cut):
+    """The points of the ridge are beside both. The ridge is straight, and cuts quads along a diagonal or their sides."""
+    source = vtkTrivialProducer()
+    source.SetOutput(ridge_of(top, direction))
+    lakes = vtkWaterLakes()
+    lakes.SetShoreCut(cut)
+    made = lakes.SetData(source.GetOutputPort(), "", "h", "zb")
+    made.Update()
+    lakes.GetWater().GetWaterProperty().SetReflectanceModeToConstant()
+    lakes.GetWater().GetWaterProperty().SetReflectance(1.0)
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    seen = view.picture()
+    waters = waters_of(lakes)
+    wt.check_equal("levels", sorted(round(water.GetLevel(), 9) for water in waters), [RIGHT, LEFT])
+    places = vtk_to_numpy(made.GetOutput().GetPoints().GetData())
+    across = places[:, 0] + direction * places[:, 1]
+    shore = np.where(across < 1e-9, -(top - LEFT) / 0.4, (top - RIGHT) / 0.4)  # where the bed is at the level
+    is_shore = vtk_to_numpy(made.GetOutput().GetPointData().GetArray("WaterDepth")) == 0.0
+    wt.check_at_least("points on the shore", int(is_shore.sum()), 10)
+    wt.check_at_most("shore off by", float(np.abs(across - shore)[is_shore].max()), 1e-12)
+    wt.check_at_most("heights off by", float(np.abs(places[:, 2] - np.where(across < 1e-9, LEFT, RIGHT)).max()), 1e-12)
+    check_exact(view, seen, waters)
+
+
 def test_lakes_at_one_level_share_a_plane():
     lakes = lakes_of(mesh_of((0.0, 0.2, 0.0, 0.2, 0.0)))
     view = view_of(things())
