@@ -55,6 +55,9 @@ TEST(parts_have_boxes_of_their_own)
   ASSERT_CLOSE(share, sum, 1e-12);
   ASSERT_CLOSE(water_seen_share_of_parts(&eye, &level, moved[0], 3, shift), sum, 1e-12);
   ASSERT_CLOSE(water_seen_share_of_parts(&eye, &level, boxes[0], 0, to_world), 0.0, 0.0);
+  const double aside[2][6] = { { -900, -890, -1, 1, 0, 0 }, { 890, 900, -1, 1, 0, 0 } };
+  const double between = water_seen_share_of_parts(&eye, &level, aside[0], 2, to_world);
+  assert_true(between > 0.0 && between < 1e-6 * share);
   const double wide[2][6] = { { -900, 900, -900, 900, 0, 0 }, { -900, 900, -900, 900, 0, 0 } };
   assert_true(water_seen_share_of_parts(&eye, &level, wide[0], 2, to_world) <= 1.0);
 }

@@ -7,6 +7,8 @@
 #include "water_select.h"
 #include "water_target.h"
 
+static const double between_parts = 1e-9; // less than any part
+
 double water_seen_share(const water_camera* eye, const water_plane* plane, const double bounds[6])
 {
   water_plane unit;
@@ -24,6 +26,8 @@ double water_seen_share_of_parts(const water_camera* eye, const water_plane* pla
   const double* bounds, size_t count, const double mesh_to_world[16])
 {
   double sum = 0.0;
+  double all[6];
+  water_bounds_begin(all);
   for (size_t i = 0; i < count; ++i)
   {
     double moved[6];
@@ -37,8 +41,9 @@ double water_seen_share_of_parts(const water_camera* eye, const water_plane* pla
       water_bounds_add_point(moved, world);
     }
     sum += water_seen_share(eye, plane, moved);
+    water_bounds_add(all, moved);
   }
-  return fmin(sum, 1.0);
+  return sum > 0.0 ? fmin(sum, 1.0) : between_parts * water_seen_share(eye, plane, all);
 }
 
 double water_seen_distance(const water_plane* plane, const double eye[3])

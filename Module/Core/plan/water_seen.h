@@ -22,7 +22,9 @@ double water_seen_share(const water_camera* eye, const water_plane* plane, const
 
 // The same of a surface of several parts, each in a box of its own: the sum of their shares, at
 // most
-// 1. A box of all of them would be large, however small and far apart the parts are.
+// 1. A box of all of them would be large, however small and far apart the parts are. If only that
+// box is in view, between the parts, a plan has a mirrored view for it: its share is nearly 0, so
+// that it comes last.
 //
 // bounds         of the parts in the surface's own coordinates: rows of 6
 // mesh_to_world  affine
