@@ -175,7 +175,7 @@ void vtkWaterActor::Internals::ReadMesh(const water_plane& plane, vtkWaterMesh* 
   {
     *mesh = this->Heights.Read(mapper, this->Self->GetMatrix(), unit);
   }
-  if (this->Self->UsesOwnSheet())
+  if (this->Self->UsesOwnSheet() || !this->MayMirror) // then the plane's view is not shown
   {
     return;
   }

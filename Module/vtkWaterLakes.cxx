@@ -72,6 +72,24 @@ void MovePlane(vtkPolyData* block, vtkMatrix4x4* toWorld, vtkPlane* plane)
   plane->SetOrigin(origin);
   plane->SetNormal(normal);
 }
+
+// Do the parts of a block have no plane, so that no mirrored view is right for them?
+bool IsRest(vtkPolyData* block)
+{
+  vtkDataArray* isRest = block->GetFieldData()->GetArray("WaterIsRest");
+  return isRest && isRest->GetComponent(0, 0) > 0.0;
+}
+
+// The share of the picture that the parts of a block cover.
+double ShareOf(
+  const water_camera& eye, const water_plane& plane, vtkPolyData* block, vtkMatrix4x4* toWorld)
+{
+  auto* bounds =
+    vtkArrayDownCast<vtkDoubleArray>(block->GetFieldData()->GetArray("WaterPartBounds"));
+  return bounds ? water_seen_share_of_parts(&eye, &plane, bounds->GetPointer(0),
+                    static_cast<size_t>(bounds->GetNumberOfTuples()), &toWorld->Element[0][0])
+                : 0.0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -325,6 +343,10 @@ void vtkWaterLakes::Rebuild()
       vtkNew<vtkPlane> plane;
       MovePlane(parts[i], first->GetMatrix(), plane);
       internal.Waters[i]->SetPlane(plane);
+      if (IsRest(parts[i]))
+      {
+        internal.Waters[i]->GetSource()->SetMayMirror(false);
+      }
     }
   }
   internal.FollowedTime = 0;
@@ -435,22 +457,24 @@ void vtkWaterLakes::ChooseMirrors(vtkRenderer* renderer)
 {
   const auto& waters = this->Internal->Waters;
   const water_camera eye = vtkWaterGather::ReadCamera(renderer);
+  vtkMTimeType time = 1;
+  const std::vector<vtkPolyData*> parts = this->FindParts(&time);
   std::vector<double> shares;
-  for (const auto& water : waters)
+  for (size_t i = 0; i < waters.size(); ++i)
   {
     water_plane plane;
     double origin[3];
-    static const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-    const double* bounds = water->GetVisibility() ? water->GetBounds() : nullptr;
-    water->GetSource()->ReadPlane(&plane, origin);
-    shares.push_back(water_seen_share(&eye, &plane, bounds ? bounds : none));
+    waters[i]->GetSource()->ReadPlane(&plane, origin);
+    const bool mayBeMirrored =
+      i < parts.size() && !IsRest(parts[i]) && waters[i]->GetVisibility() != 0;
+    shares.push_back(mayBeMirrored ? ShareOf(eye, plane, parts[i], waters[i]->GetMatrix()) : 0.0);
   }
   auto hasView = std::make_unique<bool[]>(waters.size());
   water_seen_choose(
     shares.data(), shares.size(), static_cast<size_t>(this->MaximumNumberOfMirrors), hasView.get());
   for (size_t i = 0; i < waters.size(); ++i)
   {
-    waters[i]->GetSource()->SetMayMirror(hasView[i]);
+    waters[i]->GetSource()->SetMayMirror(hasView[i] && !(i < parts.size() && IsRest(parts[i])));
   }
 }
 

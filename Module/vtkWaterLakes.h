@@ -24,7 +24,7 @@
  *
  * If the mesh changes, waters and planes are updated before the next frame. A water out of view has
  * no mirrored view. Of those in view, at most MaximumNumberOfMirrors have one; the others reflect
- * only the sky.
+ * only the sky. The smallest parts, beyond MaximumNumberOfPlanes, reflect only the sky, too.
  *
  * @sa vtkWaterActor vtkWaterPlanesFilter vtkWaterSurfaceFilter
  */
@@ -96,7 +96,8 @@ public:
   ///@{
   /**
    * Maximum number of waters in view that have a mirrored view, in [0, 4096]: those whose bounds
-   * cover the largest share of the picture. The others reflect only the sky. Default is 8.
+   * cover the largest share of the picture, each part with bounds of its own. The others reflect
+   * only the sky. Default is 8.
    */
   void SetMaximumNumberOfMirrors(int mirrors);
   vtkGetMacro(MaximumNumberOfMirrors, int);
@@ -104,10 +105,10 @@ public:
 
   ///@{
   /**
-   * Largest number of planes, and of waters, in [1, 4096]. If there are more parts, the smallest
-   * ones use the nearest of these planes, and show what it would reflect at their height. In
-   * software, every clear water in view takes some milliseconds per frame, mirrored or not. Default
-   * is 16.
+   * Largest number of planes, in [1, 4096]; there is a water for each. If there are more parts, one
+   * more water, the last one, has the smallest ones. It reflects only the sky, because the mirrored
+   * view of one height is wrong at another. In software, every clear water in view takes some
+   * milliseconds per frame, mirrored or not. Default is 16.
    */
   void SetMaximumNumberOfPlanes(int planes);
   int GetMaximumNumberOfPlanes() const;
@@ -134,8 +135,8 @@ public:
    * the mapper is not a vtkPolyDataMapper, or shows edges, vertices or a wireframe, or has shader
    * code of the user; and if the driver's clip distances are wrong. It is also so if a cell next to
    * water is completely dry (as behind a dyke), if the shore crosses a polygon of five or more
-   * corners twice, if a quad has water of two lakes, or if a displayed array is NaN at a dry point
-   * next to water.
+   * corners twice, if a quad has water of two lakes, if a dry point is next to two lakes at
+   * different levels, or if a displayed array is NaN at a dry point next to water.
    *
    * Pickers, exporters and filters that use a water's mapper, or the vtkWaterSurfaceFilter, get the
    * cut mesh. It is made when it is asked for. Another number is rejected with an error. Default is

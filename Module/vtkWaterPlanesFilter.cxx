@@ -143,7 +143,8 @@ int vtkWaterPlanesFilter::RequestData(
   vtkWaterParts parts;
   parts.Find(mesh, unit.normal, static_cast<size_t>(this->MaximumNumberOfPlanes));
   const size_t count = parts.GetPlanes().size();
-  this->NumberOfPlanes = static_cast<int>(count);
+  const bool hasRest = count > 0 && parts.GetPlanes().back().IsRest;
+  this->NumberOfPlanes = static_cast<int>(hasRest ? count - 1 : count);
   output->SetNumberOfBlocks(static_cast<unsigned int>(count));
   for (size_t i = 0; i < count; ++i)
   {

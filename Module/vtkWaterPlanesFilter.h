@@ -12,15 +12,17 @@
  * explains at least half of the heights' mean square: waves leave it horizontal, the slope of a
  * river does not. Parts share a plane if their distance from the plane of the larger one is at most
  * a millionth of the surface's diagonal plus the rounding of its coordinates. There are at most
- * MaximumNumberOfPlanes, those of the largest parts; other parts join the nearest plane.
+ * MaximumNumberOfPlanes, those of the largest parts. If there are other parts, one more block, the
+ * last one, has all of them (the rest): no mirrored view is right for it.
  *
- * The blocks are vtkPolyData, the block of the largest part first, with all arrays and three arrays
+ * The blocks are vtkPolyData, the block of the largest part first, with all arrays and five arrays
  * of field data: "WaterPlaneOrigin" and "WaterPlaneNormal" (3 numbers each; the origin of a
- * horizontal plane is on the line along UpDirection through the world's origin) and "WaterArea"
- * (projected along UpDirection). Blocks that are not flat get point normals, unless the input has
- * some. Lines, vertices, parts without an area along UpDirection, and cells with coordinates that
- * are not finite or over 1e100 are left out. A mesh with a cell that names a missing point is
- * rejected with an error.
+ * horizontal plane is on the line along UpDirection through the world's origin; those of the rest
+ * are of the horizontal plane through its lowest part), "WaterArea" (projected along UpDirection),
+ * "WaterPartBounds" (6 numbers for each part) and "WaterIsRest" (1 for the rest, 0 for others).
+ * Blocks that are not flat get point normals, unless the input has some. Lines, vertices, parts
+ * without an area along UpDirection, and cells with coordinates that are not finite or over 1e100
+ * are left out. A mesh with a cell that names a missing point is rejected with an error.
  *
  * Coincident points are not merged: apply vtkCleanPolyData to a mesh of separate triangles first.
  *
@@ -60,14 +62,16 @@ public:
 
   ///@{
   /**
-   * Maximum number of planes, and of blocks of the output, in [1, 4096]. Default is 256.
+   * Maximum number of planes, in [1, 4096]. The output has a block for each, and one for the rest.
+   * Default is 256.
    */
   void SetMaximumNumberOfPlanes(int planes);
   vtkGetMacro(MaximumNumberOfPlanes, int);
   ///@}
 
   /**
-   * Number of planes, and blocks, that the last update found (NumberOfPlanes); 0 before the first.
+   * Number of planes that the last update found, without the rest (NumberOfPlanes); 0 before the
+   * first.
    */
   vtkGetMacro(NumberOfPlanes, int);
 

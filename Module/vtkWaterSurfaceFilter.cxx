@@ -440,8 +440,8 @@ int vtkWaterSurfaceFilter::RequestData(
   {
     return 1; // said once: a failure would be told by the pipeline, too
   }
-  vtkWaterWetPart part(
-    mesh, columns.GetLevels(), columns.GetDepths(), columns.GetDykes(), this->VerticalScale);
+  vtkWaterWetPart part(mesh, columns.GetLevels(), columns.GetDepths(), columns.GetDykes(),
+    columns.GetDivides(), this->VerticalScale);
   part.Make(kLevel, kDepth, output);
   this->NumberOfCutCells = part.GetCutCount();
   if (!columns.HasDepths())

@@ -2,7 +2,8 @@
 """lakes: the hollows of a landscape, filled to their rims: lakes at several levels, from one mesh.
 
 The terrain is the landscape around the Jacksboro fault (Examples/Data). Each hollow is filled to the lowest point of
-its rim. vtkWaterLakes creates one water for each level, and mirrors those in view that cover most of the picture.
+its rim. vtkWaterLakes creates one water for each level of the largest lakes, and mirrors those in view that cover most
+of the picture. All other lakes are one more water, which reflects only the sky.
 """
 
 import argparse
@@ -23,8 +24,8 @@ from vtkwater.scenes import Scene
 TERRAIN = pathlib.Path(__file__).resolve().parents[1] / "Data/jacksboro.vti"
 EXAGGERATION = 2.0  # heights are drawn this many times higher than they are
 LEAST_DEPTH = 6.0  # m: shallower hollows stay dry
-MIRRORS = 12
-PLANES = 24
+MIRRORS = 16
+PLANES = 64
 
 
 def read_heights():

@@ -32,7 +32,8 @@ __all__ = ["flooded", "flooded_cells", "gauges", "probe", "profile", "shoreline"
 
 COLORS = "WaterColors"
 DEPTH = "WaterDepth"
-PLANES = "WaterPlaneOrigin", "WaterPlaneNormal", "WaterArea"  # field data of vtkWaterPlanesFilter, for one lake
+# field data of vtkWaterPlanesFilter, for one lake
+PLANES = "WaterPlaneOrigin", "WaterPlaneNormal", "WaterArea", "WaterPartBounds", "WaterIsRest"
 WHOLE = "_vtkwater_whole"  # attribute of an actor: the mapper of all lakes that it stands for
 RGB = 3  # VTK_RGB, a format of colours
 NEAR = 1e-6  # of the diagonal of the bounds: places that are nearer are one

@@ -230,15 +230,34 @@ TEST(lakes_at_one_level_share_a_plane)
   assert_int_equal(first[2], 3);
 }
 
-TEST(beyond_the_most_planes_a_part_joins_the_nearest)
+// It has none, however near another plane is; the next one in a plane still joins that.
+TEST(beyond_the_most_planes_a_part_shares_only_its_own)
 {
-  const water_fit_plane parts[4] = { lake(0.0, 0.0, 1.0), lake(10.0, 0.0, 1.0), lake(7.0, 0.0, 1.0),
-    lake(3.0, 0.0, 1.0) };
-  size_t plane[4];
+  const water_fit_plane parts[5] = { lake(0.0, 0.0, 1.0), lake(10.0, 0.0, 1.0), lake(7.0, 0.0, 1.0),
+    lake(3.0, 0.0, 1.0), lake(10.0, 0.0, 1.0) };
+  size_t plane[5];
   size_t first[2];
-  assert_int_equal(water_fit_share(parts, 4, 1e-6, 2, plane, first), 2);
-  assert_int_equal(plane[2], 1);
-  assert_int_equal(plane[3], 0);
+  assert_int_equal(water_fit_share(parts, 5, 1e-6, 2, plane, first), 2);
+  const size_t expected[5] = { 0, 1, 2, 2, 1 };
+  for (int i = 0; i < 5; ++i)
+  {
+    assert_int_equal(plane[i], expected[i]);
+  }
+}
+
+TEST(parts_without_a_plane_are_seen_from_over_the_lowest)
+{
+  const water_fit_plane parts[4] = { lake(-5.0, 0.0, 1.0), lake(7.0, 0.0, 1.0), lake(3.0, 0.1, 1.0),
+    lake(4.0, 0.0, 1.0) };
+  const size_t plane[4] = { 0, 1, 1, 1 };
+  water_fit_plane rest = { .rms = 42.0 };
+  assert_true(water_fit_rest(parts, 4, plane, 1, up_z, &rest));
+  assert_true(rest.normal[0] == 0.0 && rest.normal[1] == 0.0 && rest.normal[2] == 1.0);
+  assert_true(rest.origin[0] == 0.0 && rest.origin[1] == 0.0 && rest.origin[2] == 3.0);
+  assert_true(rest.is_level);
+  rest.rms = 42.0;
+  assert_false(water_fit_rest(parts, 1, plane, 1, up_z, &rest));
+  assert_true(rest.rms == 42.0);
 }
 
 TEST(tolerance_is_what_is_not_seen_or_not_known)
@@ -314,7 +333,7 @@ TEST(the_first_part_begins_a_plane_whatever_the_tolerance)
     size_t plane[2] = { 9, 9 };
     size_t first[1] = { 9 };
     assert_int_equal(water_fit_share(parts, 2, tolerances[i], 1, plane, first), 1);
-    assert_true(plane[0] == 0 && plane[1] == 0 && first[0] == 0);
+    assert_true(plane[0] == 0 && plane[1] == 1 && first[0] == 0);
   }
 }
 
@@ -449,7 +468,8 @@ TESTS(polygons_of_a_mesh_are_those_that_are_added_one_by_one, blocks_of_a_part_a
   a_far_place_costs_no_digits, a_level_is_kept_unless_a_tilt_is_what_heights_are_made_of,
   no_plane_is_closer, a_line_of_triangles_leans_along_itself_alone, up_may_be_any_direction,
   what_has_no_area_has_no_plane, lakes_at_one_level_share_a_plane,
-  beyond_the_most_planes_a_part_joins_the_nearest, tolerance_is_what_is_not_seen_or_not_known,
+  beyond_the_most_planes_a_part_shares_only_its_own,
+  parts_without_a_plane_are_seen_from_over_the_lowest, tolerance_is_what_is_not_seen_or_not_known,
   a_concave_polygon_has_its_own_area, a_polygon_that_is_not_finite_is_ignored,
   what_overflows_has_no_plane, a_point_has_no_plane, what_is_upright_but_for_rounding_has_no_plane,
   the_first_part_begins_a_plane_whatever_the_tolerance)

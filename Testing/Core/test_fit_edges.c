@@ -108,8 +108,10 @@ TEST(of_planes_at_one_distance_the_first_is_joined)
   const water_fit_plane parts[3] = { level_at(0.0), level_at(2.0), level_at(1.0) };
   size_t plane[3];
   size_t first[2];
-  assert_int_equal(water_fit_share(parts, 3, 0.5, 2, plane, first), 2);
+  assert_int_equal(water_fit_share(parts, 3, 1.0, 2, plane, first), 2);
   assert_int_equal(plane[2], 0);
+  assert_int_equal(water_fit_share(parts, 3, 0.9, 2, plane, first), 2);
+  assert_int_equal(plane[2], 2);
 }
 
 TESTS(a_slanted_triangle_keeps_its_slope, a_slanted_canal_leans_along_itself_alone,

@@ -37,6 +37,31 @@ TEST(what_is_nearer_or_larger_covers_more)
   assert_true(water_seen_share(&eye, &level, all) <= 1.0);
 }
 
+// Parts far apart cover what each of them covers, also of a mesh that is moved.
+TEST(parts_have_boxes_of_their_own)
+{
+  const water_camera eye = over_the_water();
+  const double boxes[3][6] = { { -5, -4, -1, 1, 0, 0 }, { 4, 5, -1, 1, 0, 0 },
+    { -1, 1, -60, -50, 0, 0 } };
+  const double moved[3][6] = { { -12, -11, -2, 0, 0, 0 }, { -3, -2, -2, 0, 0, 0 },
+    { -8, -6, -61, -51, 0, 0 } };
+  const double all[6] = { -5, 5, -1, 1, 0, 0 };
+  const double to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  const double shift[16] = { 1, 0, 0, 7, 0, 1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1 };
+  const double sum =
+    water_seen_share(&eye, &level, boxes[0]) + water_seen_share(&eye, &level, boxes[1]);
+  const double share = water_seen_share_of_parts(&eye, &level, boxes[0], 3, to_world);
+  assert_true(share > 0.0 && share < 0.5 * water_seen_share(&eye, &level, all));
+  ASSERT_CLOSE(share, sum, 1e-12);
+  ASSERT_CLOSE(water_seen_share_of_parts(&eye, &level, moved[0], 3, shift), sum, 1e-12);
+  ASSERT_CLOSE(water_seen_share_of_parts(&eye, &level, boxes[0], 0, to_world), 0.0, 0.0);
+  const double aside[2][6] = { { -900, -890, -1, 1, 0, 0 }, { 890, 900, -1, 1, 0, 0 } };
+  const double between = water_seen_share_of_parts(&eye, &level, aside[0], 2, to_world);
+  assert_true(between > 0.0 && between < 1e-6 * share);
+  const double wide[2][6] = { { -900, 900, -900, 900, 0, 0 }, { -900, 900, -900, 900, 0, 0 } };
+  assert_true(water_seen_share_of_parts(&eye, &level, wide[0], 2, to_world) <= 1.0);
+}
+
 TEST(the_largest_have_a_mirrored_view)
 {
   const double shares[6] = { 0.1, 0.0, 0.3, 0.1, 0.2, 0.05 };
@@ -80,4 +105,4 @@ TEST(what_has_no_place_is_not_seen)
 }
 
 TESTS(what_has_no_place_is_not_seen, what_is_nearer_or_larger_covers_more,
-  the_largest_have_a_mirrored_view, distances_are_from_the_plane)
+  parts_have_boxes_of_their_own, the_largest_have_a_mirrored_view, distances_are_from_the_plane)

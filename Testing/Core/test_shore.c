@@ -246,6 +246,35 @@ TEST(columns_are_those_of_single_points)
   }
 }
 
+// Levels are apart if they differ by more than a film, and by more than floats round them.
+TEST(levels_of_two_waters_are_apart)
+{
+  assert_true(water_shore_are_apart(2.0, 2.1, 0.05));
+  assert_true(water_shore_are_apart(2.1, 2.0, 0.05));
+  assert_false(water_shore_are_apart(2.0, 2.04, 0.05));
+  assert_false(water_shore_are_apart(2.0, 2.0, 0.0));
+  assert_false(water_shore_are_apart(1e6, 1e6 + 0.1, 0.001));
+  assert_true(water_shore_are_apart(-1e6, -1e6 + 1.0, 0.001));
+  assert_false(water_shore_are_apart((double)NAN, 2.0, 0.0));
+}
+
+TEST(lakes_are_level_at_most_of_the_shore)
+{
+  assert_true(water_shore_are_lakes(3, 2));
+  assert_false(water_shore_are_lakes(2, 2));
+  assert_false(water_shore_are_lakes(0, 0));
+}
+
+// Half of the way, if the divide's bed is as high over the level as the water is deep; at the
+// divide itself, if its bed is at the level.
+TEST(a_lake_ends_at_its_level_before_a_divide)
+{
+  ASSERT_CLOSE(water_shore_before_divide(1.0, 5.0, 6.0), 0.5, 1e-15);
+  ASSERT_CLOSE(water_shore_before_divide(3.0, 5.0, 6.0), 0.75, 1e-15);
+  ASSERT_CLOSE(water_shore_before_divide(3.0, 5.0, 5.0), 1.0, 0.0);
+  ASSERT_CLOSE(water_shore_before_divide(1.0, 5.0, (double)NAN), 0.5, 1e-15);
+}
+
 TEST(land_has_the_level_of_its_bed)
 {
   ASSERT_CLOSE(water_shore_level(2.0, 5.0), 2.0, 0.0);
@@ -258,4 +287,5 @@ TESTS(three_heights_stay_as_they_are, the_shore_is_a_share_of_the_way_along_its_
   what_is_shallow_or_no_number_is_dry, fill_values_of_files_are_dry, depths_cross_zero_at_the_shore,
   polygons_are_cut_at_the_shore, a_dry_cell_with_a_low_bed_is_behind_a_dyke,
   a_corner_on_the_shore_stands_once, water_that_meets_land_twice_is_split,
-  columns_are_those_of_single_points, land_has_the_level_of_its_bed)
+  columns_are_those_of_single_points, land_has_the_level_of_its_bed, levels_of_two_waters_are_apart,
+  lakes_are_level_at_most_of_the_shore, a_lake_ends_at_its_level_before_a_divide)

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_POLYGON, VTK_QUAD, VTK_VERTEX, vtkCellArray, vtkPolyData,
                                            vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper, vtkPolyDataMapper, vtkRenderer
 
@@ -233,6 +233,49 @@ def set_array(mesh, name, values):
     mesh.GetPointData().AddArray(array)
 
 
+LEFT, RIGHT = 0.3, 0.1  # levels of two lakes with a ridge between
+
+
+def ridge_of(top, direction):
+    """A solver's mesh: a grid of points, and a ridge of one row of dry points across it, with a lake on each side."""
+    x, y = (part.ravel() for part in np.meshgrid(np.arange(-6.0, 7.0), np.arange(-2.0, 3.0)))
+    across = x + direction * y
+    mesh = vtkPolyData()
+    mesh.ShallowCopy(mesh_of((0.0,), rows=5, columns=13, width=12.0, depth=4.0))
+    bed = top - 0.4 * np.abs(across)
+    set_array(mesh, "zb", bed)
+    set_array(mesh, "h", np.maximum(np.where(across < 0, LEFT, RIGHT) - bed, 0.0) * (across != 0))
+    return mesh
+
+
+@pytest.mark.parametrize("cut", (vtkWaterLakes.CUT_IN_FILTER, vtkWaterLakes.CUT_WHILE_DRAWN), ids=("filter", "drawn"))
+@pytest.mark.parametrize("top", (0.45, LEFT), ids=("high", "at the level"))
+@pytest.mark.parametrize("direction", (-1, 0, 1))
+def test_lakes_with_a_ridge_between_end_at_their_own_levels(direction, top, cut):
+    """The points of the ridge are beside both. The ridge is straight, and cuts quads along a diagonal or their sides."""
+    source = vtkTrivialProducer()
+    source.SetOutput(ridge_of(top, direction))
+    lakes = vtkWaterLakes()
+    lakes.SetShoreCut(cut)
+    made = lakes.SetData(source.GetOutputPort(), "", "h", "zb")
+    made.Update()
+    lakes.GetWater().GetWaterProperty().SetReflectanceModeToConstant()
+    lakes.GetWater().GetWaterProperty().SetReflectance(1.0)
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    seen = view.picture()
+    waters = waters_of(lakes)
+    wt.check_equal("levels", sorted(round(water.GetLevel(), 9) for water in waters), [RIGHT, LEFT])
+    places = vtk_to_numpy(made.GetOutput().GetPoints().GetData())
+    across = places[:, 0] + direction * places[:, 1]
+    shore = np.where(across < 1e-9, -(top - LEFT) / 0.4, (top - RIGHT) / 0.4)  # where the bed is at the level
+    is_shore = vtk_to_numpy(made.GetOutput().GetPointData().GetArray("WaterDepth")) == 0.0
+    wt.check_at_least("points on the shore", int(is_shore.sum()), 10)
+    wt.check_at_most("shore off by", float(np.abs(across - shore)[is_shore].max()), 1e-12)
+    wt.check_at_most("heights off by", float(np.abs(places[:, 2] - np.where(across < 1e-9, LEFT, RIGHT)).max()), 1e-12)
+    check_exact(view, seen, waters)
+
+
 def test_lakes_at_one_level_share_a_plane():
     lakes = lakes_of(mesh_of((0.0, 0.2, 0.0, 0.2, 0.0)))
     view = view_of(things())
@@ -278,13 +321,56 @@ def test_the_largest_in_view_have_a_mirrored_view():
     wt.check_equal("decisions with five", decisions_of(lakes), ["rendered"] * 5)
 
 
-def test_beyond_the_most_planes_small_parts_join_the_nearest():
-    lakes = lakes_of(mesh_of([0.05 * i for i in range(20)]))
+def test_small_lakes_far_apart_do_not_take_the_view_of_a_large_one():
+    """Two small lakes at one level, at both ends of the picture: their bounds cover more of it than the lake between."""
+    append = vtkAppendPolyData()
+    append.AddInputData(mesh_of((0.0, 0.0), width=0.3, depth=1.2, step=8.0))
+    append.AddInputData(mesh_of((0.2,)))
+    append.Update()
+    lakes = lakes_of(append.GetOutput(), MaximumNumberOfMirrors=1)
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    seen = view.picture()
+    waters = waters_of(lakes)
+    wt.check_equal("levels", [water.GetLevel() for water in waters], [0.2, 0.0])
+    masks = [mask_of(view, water) for water in waters]
+    wt.check_equal("the large one covers more", bool(masks[0].sum() > masks[1].sum() > 0), True)
+    wt.check_equal("mirrored views", renders_of(waters), [1, 0])
+    check_exact(view, seen, waters[:1])
+
+
+def test_beyond_the_most_planes_small_parts_are_one_water():
+    levels = [0.05 * i for i in range(20)]
+    lakes = lakes_of(mesh_of(levels))
     lakes.Update()
-    wt.check_equal("waters", lakes.GetNumberOfWaters(), 16)
+    wt.check_equal("waters", lakes.GetNumberOfWaters(), 17)
+    found = [water.GetLevel() for water in waters_of(lakes)]
+    wt.check_equal("the last is at the lowest without a plane", found[-1], min(set(levels) - set(found[:-1])))
     lakes.SetMaximumNumberOfPlanes(20)
     lakes.Update()
     wt.check_equal("waters of 20", lakes.GetNumberOfWaters(), 20)
+
+
+@pytest.mark.parametrize("planes", [1, 4])
+def test_parts_without_a_plane_reflect_the_sky_and_the_others_are_exact(planes):
+    """The view mirrored at one lake is wrong for another: the others show nothing of it, at any height."""
+    lakes = lakes_of(mesh_of(LEVELS), MaximumNumberOfPlanes=planes, MaximumNumberOfMirrors=10)
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    lakes.Update()
+    waters = waters_of(lakes)
+    wt.check_equal("waters", len(waters), planes + 1)
+    warnings = []
+    for water in waters:
+        water.AddObserver("WarningEvent", lambda *_: warnings.append("a warning"))
+    seen = view.picture()
+    check_exact(view, seen, waters[:planes])
+    rest = mask_of(view, waters[-1])
+    sky = np.array(view.renderer.GetBackground()) * 255
+    wt.check_equal("pixels of the others", bool(rest.sum() > 1000), True)
+    wt.check_at_most("not the sky, percent", 100 * (np.abs(seen[rest] - sky).max(axis=1) > 1).mean(), LIMIT_PERCENT)
+    wt.check_equal("mirrored views", renders_of(waters), [1] * planes + [0])
+    wt.check_equal("warnings", warnings, [])
 
 
 def test_waters_follow_the_mesh():

@@ -243,13 +243,13 @@ def test_a_surface_of_one_lake_is_clean():
     lakes.SetMapper(mapper)
     lakes.Update()
     actor = lakes.GetWater()
-    wt.check_equal("field data of a lake's mesh", actor.GetMapper().GetInput().GetFieldData().GetNumberOfArrays(), 3)
+    wt.check_equal("field data of a lake's mesh", actor.GetMapper().GetInput().GetFieldData().GetNumberOfArrays(), 5)
     for water in (actor, lakes, made, actor.GetMapper().GetInput()):
         surface = measure.surface(water)
         wt.check_equal("field data", surface.GetFieldData().GetNumberOfArrays(), 0)
         wt.check_equal("colours", surface.GetPointData().GetArray("WaterColors"), None)
         wt.check_equal("area and volume", measure.flooded(surface), measure.flooded(made))
-    wt.check_equal("the lake's own field data", actor.GetMapper().GetInput().GetFieldData().GetNumberOfArrays(), 3)
+    wt.check_equal("the lake's own field data", actor.GetMapper().GetInput().GetFieldData().GetNumberOfArrays(), 5)
     for water in (None, 3.0, mesh_of):
         with pytest.raises(TypeError, match="water must be a vtkWaterActor, vtkWaterLakes or vtkPolyData"):
             measure.surface(water)

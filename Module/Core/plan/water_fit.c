@@ -346,20 +346,43 @@ size_t water_fit_share(const water_fit_plane* parts, size_t count, double tolera
   size_t planes = 0;
   for (size_t i = 0; i < count; ++i)
   {
-    size_t nearest = 0;
-    double least = (double)INFINITY;
-    for (size_t j = 0; j < planes && least > tolerance; ++j)
+    size_t found = 0;
+    while (found < planes && !(apart(&parts[i], &parts[first[found]]) <= tolerance))
     {
-      const double distance = apart(&parts[i], &parts[first[j]]);
-      nearest = distance < least ? j : nearest;
-      least = fmin(distance, least);
+      ++found;
     }
-    if (planes == 0 || (least > tolerance && planes < most))
+    if (planes == 0 || (found == planes && planes < most))
     {
-      nearest = planes;
       first[planes++] = i;
     }
-    plane[i] = nearest;
+    plane[i] = found; // without one that is their maximum number, which does not grow
   }
   return planes;
+}
+
+bool water_fit_rest(const water_fit_plane* parts, size_t count, const size_t* plane, size_t planes,
+  const double up[3], water_fit_plane* rest)
+{
+  double lowest = (double)INFINITY;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const double height = water_vec3_dot(up, parts[i].middle);
+    if (plane[i] < planes || !(height < lowest))
+    {
+      continue;
+    }
+    lowest = height;
+    *rest = parts[i];
+  }
+  if (isinf(lowest))
+  {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    rest->normal[i] = up[i];
+    rest->origin[i] = lowest * up[i];
+  }
+  rest->is_level = true;
+  return true;
 }

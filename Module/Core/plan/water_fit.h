@@ -92,18 +92,31 @@ double water_fit_tolerance(double diagonal, double coordinate, bool is_single);
 
 // Finds which parts lie in one plane. A part joins the first plane from which no point of it is
 // farther than the tolerance. Otherwise it begins a new plane or, if their maximum number is
-// reached, joins the nearest, of several the first.
+// reached, has none. The view that is mirrored at another plane does not show what such a part
+// reflects: from the eye mirrored there, the ground between the plane and the part hides it.
 //
 // The first part begins a plane, whatever the tolerance.
 //
 // parts  the largest first
 // most   planes, >= 1
-// plane  of each part: the number of its plane, which are counted in order
+// plane  of each part: the number of its plane, which are counted in order; of a part without one
+//        the number of planes
 // first  of each plane: the part that it is of; room for most
 //
 // Returns the number of planes.
 size_t water_fit_share(const water_fit_plane* parts, size_t count, double tolerance, size_t most,
   size_t* plane, size_t* first);
+
+// The plane of all parts that have none of their own, which decides only from which side they are
+// seen: the level plane through the lowest of them. An eye above it sees each from above, or not at
+// all.
+//
+// plane, planes  as water_fit_share has found them
+// up             unit length
+//
+// Returns whether there are such parts. Otherwise *rest is unchanged.
+bool water_fit_rest(const water_fit_plane* parts, size_t count, const size_t* plane, size_t planes,
+  const double up[3], water_fit_plane* rest);
 
 #ifdef __cplusplus
 }

@@ -20,6 +20,17 @@ extern "C"
 // bounds  of the surface: xmin, xmax, ymin, ymax, zmin, zmax in world; empty: out of view
 double water_seen_share(const water_camera* eye, const water_plane* plane, const double bounds[6]);
 
+// The same of a surface of several parts, each in a box of its own: the sum of their shares, at
+// most
+// 1. A box of all of them would be large, however small and far apart the parts are. If only that
+// box is in view, between the parts, a plan has a mirrored view for it: its share is nearly 0, so
+// that it comes last.
+//
+// bounds         of the parts in the surface's own coordinates: rows of 6
+// mesh_to_world  affine
+double water_seen_share_of_parts(const water_camera* eye, const water_plane* plane,
+  const double* bounds, size_t count, const double mesh_to_world[16]);
+
 // Marks the waters that have a mirrored view: those that cover the largest parts of the picture,
 // the first of equal ones. Waters out of view are marked too, which costs nothing, because nothing
 // is drawn for them.

@@ -4,9 +4,11 @@
 
 #include "water_math.h"
 
+#include <float.h>
 #include <math.h>
 
-static const double far_off = 1.0; // depth, of any sign, where nothing else is known
+static const double roundings = 4.0; // of a level, in floats
+static const double far_off = 1.0;   // depth, of any sign, where nothing else is known
 
 static inline bool is_beyond(double height)
 {
@@ -88,6 +90,22 @@ static double mean_of(const double* heights, size_t count)
 bool water_shore_is_dyke(const double* levels, const double* beds, size_t count)
 {
   return !(mean_of(beds, count) >= mean_of(levels, count)); // also where one is not known
+}
+
+bool water_shore_are_apart(double level, double other, double dry_depth)
+{
+  const double rounding = roundings * (double)FLT_EPSILON * fmax(fabs(level), fabs(other));
+  return fabs(level - other) > fmax(dry_depth, rounding);
+}
+
+bool water_shore_are_lakes(size_t level, size_t uneven)
+{
+  return level > uneven;
+}
+
+double water_shore_before_divide(double depth, double level, double bed)
+{
+  return depth / (depth - depth_of(false, level, bed));
 }
 
 double water_shore_level(double level, double bed)

@@ -48,7 +48,7 @@ water_column water_shore_column(double level, double bed, double depth, double d
 //
 // is_wet  as the solver says; a dry place is never under water, even if its bed is below the level:
 //         a dyke may keep it dry
-// level   of a dry place: that of the wet ones beside it; NaN: there are none
+// level   of a dry place: that of the wet ones beside it; NaN: there are none, or it is a divide
 double water_shore_depth(bool is_wet, double level, double bed);
 
 // What a solver gives of points, and what is found of them: rows of the same length.
@@ -75,6 +75,26 @@ bool water_shore_columns(const water_shore_rows* rows, size_t count, double dry_
 // levels  of the corners, as in water_shore_depth; those that are not finite do not count
 // beds    of the corners, likewise; without any, nothing shows that the bed is high enough
 bool water_shore_is_dyke(const double* levels, const double* beds, size_t count);
+
+// Do the levels of two wet places differ by more than a film of water, and more than floats round
+// them?
+bool water_shore_are_apart(double level, double other, double dry_depth);
+
+// Are waters lakes? They are if most wet neighbours at the shore have one level. A dry place beside
+// two lakes at different levels is a divide, and each lake ends before it at its own level. The
+// mean of both levels would tilt both of them there, and join them. The level of other water, such
+// as a river, changes from place to place, and its mean is extended beyond the shore.
+//
+// level   wet neighbours in cells at the shore that have one level
+// uneven  those that are apart
+bool water_shore_are_lakes(size_t level, size_t uneven);
+
+// The shore between a wet place and a divide: the share of the way, in (0, 1], at which the bed
+// reaches the level of the wet place.
+//
+// depth, level  of the wet place
+// bed           of the divide
+double water_shore_before_divide(double depth, double level, double bed);
 
 // The level of a point as a surface has it: where there is none, that of its bed, otherwise 0.
 double water_shore_level(double level, double bed);

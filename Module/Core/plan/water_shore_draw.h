@@ -49,7 +49,7 @@ typedef struct water_shore_facts
   bool has_depths; // false: the data do not say where the water ends
   size_t dykes;    // cells that are dry as a whole, with wet corners
   size_t crossed;  // polygons of five corners or more that the water crosses twice
-  size_t shared;   // cells with water of two lakes
+  size_t shared;   // cells with water of two lakes, or dry corners between them
   size_t unplaced; // wet cells with a coordinate that is not a number
   size_t unknown;  // values at dry corners beside the water that are not numbers
 } water_shore_facts;

@@ -96,6 +96,8 @@ void vtkWaterColumns::Make(vtkPolyData* mesh, const Given& given)
   this->IsWet.resize(count);
   this->IsCellWet.clear();
   this->Dykes.clear();
+  this->Divides.Clear();
+  this->DryDepth = given.DryDepth;
   this->AreCellsKnown = false;
   this->Faces = {};
   if (given.AreOfCells || (given.Bed && given.IsBedOfCells))
@@ -291,13 +293,20 @@ void vtkWaterColumns::SpreadOver(
   vtkPolyData* mesh, const std::vector<std::vector<vtkIdType>>& shores)
 {
   std::unordered_map<vtkIdType, Mean> means; // of the points beside the water: few
+  size_t pairs = 0;                          // of wet points of a cell
+  size_t uneven = 0;                         // of these, with different levels
   const auto add = [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
     Mean own;
     const auto isWet = [this](
                          vtkIdType point) { return this->IsWet[static_cast<size_t>(point)] != 0; };
+    double before = vtkMath::Nan(); // the level of the last wet one
     for (vtkIdType i = 0; i < count; ++i)
     {
-      own.Add(isWet(points[i]) ? this->Levels[points[i]] : vtkMath::Nan());
+      const double here = isWet(points[i]) ? this->Levels[points[i]] : vtkMath::Nan();
+      own.Add(here);
+      uneven += water_shore_are_apart(before, here, this->DryDepth) ? 1 : 0;
+      pairs += vtkMath::IsFinite(here - before) ? 1 : 0;
+      before = vtkMath::IsFinite(here) ? here : before;
     }
     for (vtkIdType i = 0; i < count; ++i)
     {
@@ -318,6 +327,50 @@ void vtkWaterColumns::SpreadOver(
   {
     this->Levels[point] = mean.Get();
     this->Finish(point);
+  }
+  if (this->IsCellWet.empty() && water_shore_are_lakes(pairs - uneven, uneven))
+  {
+    this->FindDivides(mesh, shores);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterColumns::FindDivides(
+  vtkPolyData* mesh, const std::vector<std::vector<vtkIdType>>& shores)
+{
+  std::unordered_map<vtkIdType, double> beside; // the level of the first lake beside a dry point
+  const auto isWet = [this](
+                       vtkIdType point) { return this->IsWet[static_cast<size_t>(point)] != 0; };
+  const auto areApart = [this](double first, double second) {
+    return water_shore_are_apart(first, second, this->DryDepth);
+  };
+  const auto add = [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+    if (count == 4 && isWet(points[0]) && isWet(points[2]) && !isWet(points[1]) &&
+      !isWet(points[3]) && areApart(this->Levels[points[0]], this->Levels[points[2]]))
+    {
+      this->Divides.Quads.insert(cell);
+    }
+    for (vtkIdType i = 0; i < count * count; ++i)
+    {
+      const vtkIdType wet = points[i / count];
+      const vtkIdType dry = points[i % count];
+      if (isWet(wet) && !isWet(dry) &&
+        areApart(beside.emplace(dry, this->Levels[wet]).first->second, this->Levels[wet]))
+      {
+        this->Divides.Beds[dry] = this->Beds[static_cast<size_t>(dry)];
+      }
+    }
+  };
+  for (const std::vector<vtkIdType>& ofBlock : shores)
+  {
+    for (vtkIdType cell : ofBlock)
+    {
+      vtkWaterForCells(mesh->GetPolys(), cell, cell + 1, add);
+    }
+  }
+  for (const auto& [point, bed] : this->Divides.Beds)
+  {
+    this->Depths[point] = water_shore_depth(false, vtkMath::Nan(), bed);
   }
 }
 

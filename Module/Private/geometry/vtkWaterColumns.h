@@ -8,6 +8,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWaterCellChunks.h"
+#include "vtkWaterDivides.h"
 #include "vtkWaterKept.h"
 #include "vtkWaterShoreCells.h"
 #include "water_heights.h"
@@ -60,6 +61,9 @@ public:
   // water is beside.
   const std::vector<vtkIdType>& GetDykes() const { return this->Dykes; }
 
+  // Of data of points; those of cells have one level at each point.
+  const vtkWaterDivides& GetDivides() const { return this->Divides; }
+
 private:
   // Of data of points.
   void MakeOfPoints(vtkPolyData* mesh, const Given& given);
@@ -68,6 +72,8 @@ private:
   // Extends the levels of wet points to those beside them.
   void Spread(vtkPolyData* mesh);
   void SpreadOver(vtkPolyData* mesh, const std::vector<std::vector<vtkIdType>>& shores);
+  // Between lakes: the depth of such a point is only a mark of land.
+  void FindDivides(vtkPolyData* mesh, const std::vector<std::vector<vtkIdType>>& shores);
   // The depth of a point, once its level is known, and a level where there is none.
   void Finish(vtkIdType point);
   void FindDykes(vtkPolyData* mesh);
@@ -84,6 +90,8 @@ private:
   std::vector<char> IsCellWet; // of data of cells; else empty
   water_heights_faces Faces = {};
   std::vector<vtkIdType> Dykes;
+  vtkWaterDivides Divides;
+  double DryDepth = 0.0;
   vtkWaterCellChunks Chunks; // of the mesh
   vtkWaterShoreCells Cells;  // if they are known
   bool AreCellsKnown = false;

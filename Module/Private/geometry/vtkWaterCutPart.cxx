@@ -38,7 +38,7 @@ int vtkWaterCutPart::RequestData(
   };
   const bool hasNormals = whole->GetPointData()->GetNormals() != nullptr;
   vtkWaterWetPart(whole, arrayOf(vtkWaterColumns::LevelName)->GetPointer(0),
-    arrayOf(vtkWaterColumns::DepthName)->GetPointer(0), {}, whole->GetHeightScale())
+    arrayOf(vtkWaterColumns::DepthName)->GetPointer(0), {}, {}, whole->GetHeightScale())
     .Make(vtkWaterColumns::LevelName, vtkWaterColumns::DepthName, output);
   if (hasNormals)
   {

@@ -22,13 +22,28 @@
 namespace
 {
 constexpr int32_t kNone = -1;
-void AddField(vtkPolyData* polygons, const char* name, const double* values, int count)
+void AddField(
+  vtkPolyData* polygons, const char* name, const double* values, int count, size_t rows = 1)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(count);
-  array->InsertNextTuple(values);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(rows));
+  std::copy_n(values, static_cast<size_t>(count) * rows, array->GetPointer(0));
   polygons->GetFieldData()->AddArray(array);
+}
+
+// rounding  of the coordinates
+void AddPart(
+  const water_fit_plane& fit, const double bounds[6], double rounding, vtkWaterParts::Plane* plane)
+{
+  plane->Area += fit.area;
+  plane->IsFlat = plane->IsFlat && fit.rms <= rounding;
+  vtkBoundingBox all(plane->Bounds);
+  all.AddBounds(bounds);
+  all.GetBounds(plane->Bounds);
+  plane->PartBounds.emplace_back();
+  std::copy_n(bounds, 6, plane->PartBounds.back().begin());
 }
 
 constexpr size_t kBlockFits = 1 << 14; // more than fit into a processor's cache are not worth it
@@ -315,10 +330,14 @@ void vtkWaterParts::Describe(size_t plane, vtkPolyData* polygons) const
   AddField(polygons, "WaterPlaneOrigin", found.Fit.origin, 3);
   AddField(polygons, "WaterPlaneNormal", found.Fit.normal, 3);
   AddField(polygons, "WaterArea", &found.Area, 1);
+  AddField(
+    polygons, "WaterPartBounds", found.PartBounds.front().data(), 6, found.PartBounds.size());
+  const double isRest = found.IsRest ? 1.0 : 0.0;
+  AddField(polygons, "WaterIsRest", &isRest, 1);
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
+void vtkWaterParts::Share(vtkPolyData* mesh, const double up[3], size_t most)
 {
   std::vector<water_fit_plane> found(this->Fits.size());
   std::vector<size_t> sorted;
@@ -362,18 +381,21 @@ void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
     water_fit_tolerance(box.IsValid() ? box.GetDiagonalLength() : 0.0, coordinate, isSingle), most,
     planes.data(), first.data());
   this->Planes.assign(count, Plane());
+  water_fit_plane rest;
+  if (water_fit_rest(parts.data(), parts.size(), planes.data(), count, up, &rest))
+  {
+    this->Planes.emplace_back();
+    this->Planes.back().Fit = rest;
+    this->Planes.back().IsRest = true;
+  }
   this->PlaneOfPart.assign(this->Fits.size(), kNone);
   const double rounding = water_fit_tolerance(0.0, coordinate, isSingle);
   for (size_t i = 0; i < parts.size(); ++i)
   {
     Plane& plane = this->Planes[planes[i]];
     this->PlaneOfPart[sorted[i]] = static_cast<int64_t>(planes[i]);
-    plane.Fit = parts[first[planes[i]]];
-    plane.Area += parts[i].area;
-    plane.IsFlat = plane.IsFlat && parts[i].rms <= rounding;
-    vtkBoundingBox all(plane.Bounds);
-    all.AddBounds(this->Fits[sorted[i]].bounds);
-    all.GetBounds(plane.Bounds);
+    plane.Fit = plane.IsRest ? rest : parts[first[planes[i]]];
+    AddPart(parts[i], this->Fits[sorted[i]].bounds, rounding, &plane);
   }
 }
 
@@ -389,7 +411,7 @@ void vtkWaterParts::Find(
   {
     this->FitCut(mesh);
   }
-  this->Share(mesh, most);
+  this->Share(mesh, up, most);
   this->Cells.assign(this->Planes.size(), {});
   this->HasOne = this->Planes.size() == 1 && this->IsTight && this->UnplacedCount == 0 &&
     std::find(this->PlaneOfPart.begin(), this->PlaneOfPart.end(), kNone) == this->PlaneOfPart.end();

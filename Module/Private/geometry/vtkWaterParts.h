@@ -8,6 +8,7 @@
 #include "vtkWaterShoreCells.h"
 #include "water_fit.h"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <vector>
@@ -23,7 +24,9 @@ public:
     water_fit_plane Fit; // of its largest part
     double Area = 0.0;   // of all of its parts, seen along up
     bool IsFlat = true;  // none of them leaves it by more than its coordinates are rounded by
+    bool IsRest = false; // that of the parts that have none (water_fit_rest)
     double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of all of its parts
+    std::vector<std::array<double, 6>> PartBounds;          // of each of them
   };
 
   // mesh   of polygons alone
@@ -33,6 +36,7 @@ public:
   void Find(
     vtkPolyData* mesh, const double up[3], size_t most, const vtkWaterShoreCells* shore = nullptr);
 
+  // That of the rest is the last one.
   const std::vector<Plane>& GetPlanes() const { return this->Planes; }
 
   // Are all polygons in a plane, and the mesh's bounds theirs?
@@ -75,7 +79,7 @@ private:
   void FitRuns(const double* points, const vtkWaterCellLists& lists, vtkIdType begin, vtkIdType end,
     std::vector<water_fit>& fits);
   void Fit(vtkPolyData* mesh, const double up[3]);
-  void Share(vtkPolyData* mesh, size_t most);
+  void Share(vtkPolyData* mesh, const double up[3], size_t most);
 
   const vtkWaterShoreCells* Shore = nullptr; // while parts are found
   size_t SharedCount = 0;

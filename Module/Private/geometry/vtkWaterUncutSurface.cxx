@@ -92,6 +92,7 @@ void vtkWaterUncutSurface::Classify(const Given& given, vtkWaterColumns& columns
   vtkCellArray* polygons = given.Mesh->GetPolys();
   this->Facts = water_shore_facts();
   this->Facts.has_depths = columns.HasDepths();
+  this->Facts.shared = columns.GetDivides().GetCount();
   columns.ShareCells(polygons, this->Cells);
   for (vtkIdType dyke : columns.GetDykes())
   {

@@ -57,11 +57,12 @@ void TriangulateInto(
 
 //------------------------------------------------------------------------------
 vtkWaterWetPart::vtkWaterWetPart(vtkPolyData* mesh, const double* levels, const double* depths,
-  const std::vector<vtkIdType>& dykes, double scale)
+  const std::vector<vtkIdType>& dykes, const vtkWaterDivides& divides, double scale)
   : Mesh(mesh)
   , Levels(levels)
   , Depths(depths)
   , Dykes(dykes)
+  , Divides(divides)
   , Scale(scale)
 {
 }
@@ -163,7 +164,15 @@ void vtkWaterWetPart::CutCells()
         this->CutPolygon(cell, corners, Index(count));
         return;
       }
-      TriangulateInto(corners, count, this->Mesh->GetPoints(), triangles);
+      if (this->Divides.Quads.count(cell)) // along the diagonal between its dry corners
+      {
+        const vtkIdType turned[4] = { corners[1], corners[2], corners[3], corners[0] };
+        TriangulateInto(turned, count, this->Mesh->GetPoints(), triangles);
+      }
+      else
+      {
+        TriangulateInto(corners, count, this->Mesh->GetPoints(), triangles);
+      }
       for (vtkIdType i = 0; i + 2 < triangles->GetNumberOfIds(); i += 3)
       {
         this->CutPolygon(cell, triangles->GetPointer(i), 3);
@@ -224,7 +233,12 @@ vtkIdType vtkWaterWetPart::Map(const vtkIdType* points, const water_shore_corner
     }
   }
   edges.push_back(static_cast<vtkIdType>(this->Edges.size()));
-  this->Edges.push_back({ from, to, corner.share });
+  const auto divide = this->Divides.Beds.find(to);
+  const bool isDivide = divide != this->Divides.Beds.end();
+  this->Edges.push_back({ from, to,
+    isDivide ? water_shore_before_divide(
+                 this->Depths[Index(from)], this->Levels[Index(from)], divide->second)
+             : corner.share });
   return -1 - edges.back();
 }
 
@@ -262,7 +276,7 @@ void vtkWaterWetPart::AddPoints(
     places->GetTuple(edge.From, from);
     places->GetTuple(edge.To, to);
     from[2] = this->Levels[Index(edge.From)];
-    to[2] = this->Levels[Index(edge.To)];
+    to[2] = this->Divides.Beds.count(edge.To) ? from[2] : this->Levels[Index(edge.To)];
     water_shore_point(from, to, edge.Share, place + 3 * at);
     level[at] = place[3 * at + 2];
     depth[at] = 0.0;

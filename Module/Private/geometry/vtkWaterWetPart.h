@@ -7,6 +7,7 @@
 #define vtkWaterWetPart_h
 
 #include "vtkType.h"
+#include "vtkWaterDivides.h"
 #include "water_shore.h"
 
 #include <unordered_map>
@@ -24,9 +25,10 @@ public:
   // levels  of its points
   // depths  of the same, below 0 on land
   // dykes   cells that are dry whatever the depths
+  // divides of lakes at different levels
   // scale   of heights: the z of a point is scale * level
   vtkWaterWetPart(vtkPolyData* mesh, const double* levels, const double* depths,
-    const std::vector<vtkIdType>& dykes, double scale);
+    const std::vector<vtkIdType>& dykes, const vtkWaterDivides& divides, double scale);
 
   // Points at the level, the mesh's arrays, and two arrays with the level and the depth of points.
   void Make(const char* levelName, const char* depthName, vtkPolyData* output);
@@ -67,6 +69,7 @@ private:
   const double* Levels;
   const double* Depths;
   const std::vector<vtkIdType>& Dykes;
+  const vtkWaterDivides& Divides;
   double Scale;
   bool IsAll = true; // everything is wet, and each point is one of a polygon
   std::vector<Cell> Cells;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterDivides: where the land of a mesh divides lakes at different levels (water_shore.h).
+#ifndef vtkWaterDivides_h
+#define vtkWaterDivides_h
+
+#include "vtkType.h"
+
+#include <cstddef>
+#include <unordered_map>
+#include <unordered_set>
+
+struct vtkWaterDivides
+{
+  // Dry points beside two lakes, and their beds: neither lake's level is theirs.
+  std::unordered_map<vtkIdType, double> Beds;
+  // Quads with two lakes in opposite corners, between which VTK's triangles have an edge.
+  std::unordered_set<vtkIdType> Quads;
+
+  void Clear()
+  {
+    this->Beds.clear();
+    this->Quads.clear();
+  }
+  std::size_t GetCount() const { return this->Beds.size() + this->Quads.size(); }
+};
+
+#endif
