@@ -21,8 +21,8 @@ from PIL import Image
 ROOT = Path(__file__).resolve().parents[2]
 SITE = "Documentation/site"
 # section of the README -> page; the first of a page gives its title
-README_PAGES = {"Install": "install", "Tested versions and cost": "install", "Licence": "install", "PyVista": "start/pyvista",
-                "Python": "start/python", "C++": "start/cxx", "Command line": "start/command",
+README_PAGES = {"Install": "install", "Tested versions and performance": "install", "Licence": "install",
+                "PyVista": "start/pyvista", "Python": "start/python", "C++": "start/cxx", "Command line": "start/command",
                 "How it works": "concepts", "Source tree": "concepts"}
 README_LEFT_OUT = {"Documentation"}  # the site's own contents
 WHOLE_PROGRAMS = {"start/pyvista": "Examples/Python/pyvista_water.py",
