@@ -12,6 +12,8 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 OUTPUT = os.environ["WATER_TEST_OUTPUT"]
 PLUGIN = os.environ["WATER_PLUGIN"]
+VERSION = os.environ["WATER_PARAVIEW_VERSION"]  # of ParaView
+SERIES = VERSION.rpartition(".")[0]  # its first two numbers, which are in the names of folders and libraries
 SIZE = (320, 240)
 
 pv._DisableFirstRenderCameraReset()
