@@ -28,6 +28,11 @@ def path(name):
     return os.path.join(OUTPUT, name)
 
 
+def add_normals(surface):
+    """The filter that adds point normals: it is GenerateSurfaceNormals up to ParaView 5.11."""
+    return getattr(pv, "SurfaceNormals" if hasattr(pv, "SurfaceNormals") else "GenerateSurfaceNormals")(Input=surface)
+
+
 def make_view(size=SIZE):
     """A view from above the water at z = 0 onto (0, 0, 0.2), with an even background."""
     view = pv.CreateView("RenderView")
