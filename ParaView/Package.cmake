@@ -22,4 +22,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "paraview (>= ${water_series}), paraview (<< ${ParaView_VERSION_MAJOR}.${water_next}~), libc6, libstdc++6")
+if(NOT EXISTS "${ParaView_DIR}/vtk") # from 6.1 on, Debian's ParaView has no VTK of its own
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", libvtk${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}")
+endif()
 include(CPack)

@@ -59,7 +59,11 @@ class TestFeatures(unittest.TestCase):
             water_scene.read(water_scene.path("features-1-%s.png" % step))
             for step in ("still", "coarse", "fine", "saved", "loaded"))
         self.assertEqual(water_scene.differing(still, fine, 0), 0)
-        self.assertGreater(water_scene.differing(still, coarse), 500)
+        # ParaView 6.1 simplifies less: without water 11 pixels differ, with 5.13 1,324
+        dry = ranks.pixels("features-dry-1-still", "features-dry-1-coarse")
+        self.assertGreater(dry, 0)
+        self.assertGreaterEqual(water_scene.differing(still, coarse), dry)
+        self.assertNotIn("ERROR", self.said)
         self.assertEqual(water_scene.differing(saved, loaded, 0), 0)
         self.assertGreaterEqual(min(ranks.counts(self.said, "changes")), FRAMES // 30)
 

@@ -44,12 +44,13 @@ class TestPackage(unittest.TestCase):
         package, = glob.glob(os.path.join(folder, "vtkwater-paraview_*.deb"))
         about = subprocess.run(["dpkg-deb", "-f", package, "Depends"], check=True, text=True,
                                stdout=subprocess.PIPE).stdout
-        self.assertIn("paraview (>= 5.11), paraview (<< 5.12~)", about)
+        major, minor = map(int, water_scene.SERIES.split("."))
+        self.assertIn("paraview (>= %d.%d), paraview (<< %d.%d~)" % (major, minor, major, minor + 1), about)
         root = os.path.join(folder, "root")
         subprocess.run(["dpkg", "-x", package, root], check=True)
         files = sorted(name for _, _, names in os.walk(root) for name in names)
         self.assertEqual(files, ["Water.so", "copyright", "libvtkRenderingWater.so", "libvtkWaterRepresentations.so"])
-        plugin, = glob.glob(os.path.join(root, "usr/lib/*/paraview-5.11/plugins/Water/Water.so"))
+        plugin, = glob.glob(os.path.join(root, "usr/lib/*/paraview-%s/plugins/Water/Water.so" % water_scene.SERIES))
         of_paraview = [part for part in os.environ["LD_LIBRARY_PATH"].split(":") if "/install/" not in part]
         said = picture("package", WATER_PLUGIN=plugin, LD_LIBRARY_PATH=":".join(of_paraview))
         self.assertIn("the end", said)

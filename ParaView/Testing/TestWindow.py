@@ -55,8 +55,9 @@ class TestWindow(unittest.TestCase):
         """ParaView's window on a screen of its own, which is a file in the folder of the settings."""
         home = water_scene.path("window")
         os.makedirs(os.path.join(home, "ParaView"), exist_ok=True)
-        with open(os.path.join(home, "ParaView", "ParaView5.11.0.ini"), "w", encoding="utf-8") as stream:
-            stream.write(SETTINGS)
+        for name in ("ParaView%s.ini" % water_scene.VERSION, "ParaView.ini"):  # 6.1: the second
+            with open(os.path.join(home, "ParaView", name), "w", encoding="utf-8") as stream:
+                stream.write(SETTINGS)
         command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset -fbdir " + home,
                    os.environ["WATER_PARAVIEW"], "--plugin-search-paths=" + os.path.dirname(water_scene.PLUGIN),
                    "--plugins=Water", "--script=" + os.path.join(HERE, "window_program.py"), *arguments]

@@ -55,7 +55,7 @@ def open_steps(view, has_land=True):
     reader.UpdatePipeline(0.0)
     if has_land:
         land = pv.WarpByScalar(Input=reader, Scalars=["POINTS", "zb"])
-        shown = pv.Show(pv.GenerateSurfaceNormals(Input=pv.ExtractSurface(Input=land)), view)
+        shown = pv.Show(water_scene.add_normals(pv.ExtractSurface(Input=land)), view)
         shown.ColorArrayName = [None, ""]
         shown.DiffuseColor = shown.AmbientColor = [0.55, 0.5, 0.35]
     return reader

@@ -78,7 +78,17 @@ def interact(view, shown, name):
     grab(view, name + "-fine")
 
 
-def reload(view, name):
+def load_state(file, server):
+    """In pvbatch, ParaView 6.1 reads the file on the first rank only, which then waits for the others without end
+    (vtkSMSessionProxyManager::LoadString updates a source, and the update asks all ranks), with and without water."""
+    if server or int(water_scene.SERIES.split(".")[0]) < 6:
+        pv.LoadState(file)
+        return
+    from paraview.modules.vtkRemotingCore import vtkPVSession
+    pv.LoadState(file, location=vtkPVSession.SERVERS)
+
+
+def reload(view, name, server):
     """The state of a file, in place of what there is. Returns its view."""
     file = water_scene.path(name + ".pvsm")
     pv.SaveState(file)
@@ -86,7 +96,7 @@ def reload(view, name):
         pv.Delete(source)
     pv.Delete(view)
     del view
-    pv.LoadState(file)
+    load_state(file, server)
     view = pv.GetActiveViewOrCreate("RenderView")
     view.ViewSize = water_scene.SIZE
     water_scene.picture(view, name + "-loaded")
@@ -161,7 +171,7 @@ def main():
     animate(view, options.name)
     del balls, shown
     water_scene.picture(view, options.name + "-saved")
-    reload(view, options.name)
+    reload(view, options.name, options.server)
     print("the end")
     sys.stdout.flush()
 

@@ -27,7 +27,7 @@ def make_scene(view):
     reader.UpdatePipeline()
     name = reader.PointData.GetArray(0).Name
     warp = pv.WarpByScalar(Input=reader, ScaleFactor=2.0, Scalars=["POINTS", name])
-    land = pv.GenerateSurfaceNormals(Input=pv.ExtractSurface(Input=warp))
+    land = water_scene.add_normals(pv.ExtractSurface(Input=warp))
     shown = pv.Show(land, view)
     shown.ColorArrayName = ["POINTS", name]
     lut = pv.GetColorTransferFunction(name)

@@ -12,6 +12,8 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 OUTPUT = os.environ["WATER_TEST_OUTPUT"]
 PLUGIN = os.environ["WATER_PLUGIN"]
+VERSION = os.environ["WATER_PARAVIEW_VERSION"]  # of ParaView
+SERIES = VERSION.rpartition(".")[0]  # its first two numbers, which are in the names of folders and libraries
 SIZE = (320, 240)
 
 pv._DisableFirstRenderCameraReset()
@@ -24,6 +26,11 @@ def load(remote=False):
 
 def path(name):
     return os.path.join(OUTPUT, name)
+
+
+def add_normals(surface):
+    """The filter that adds point normals: it is GenerateSurfaceNormals up to ParaView 5.11."""
+    return getattr(pv, "SurfaceNormals" if hasattr(pv, "SurfaceNormals") else "GenerateSurfaceNormals")(Input=surface)
 
 
 def make_view(size=SIZE):

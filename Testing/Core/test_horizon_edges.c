@@ -166,6 +166,27 @@ TEST(bounds_of_an_eye_among_waves_are_its_view)
   ASSERT_CLOSE(bounds[5], 0.0, 1e-12);
 }
 
+// Engines cut the bounds at the near plane. Where water is nearer, they reach to that plane over
+// it.
+TEST(bounds_reach_the_near_plane_over_nearer_water)
+{
+  water_scene scene = lake();
+  look_level(2.0, &scene);
+  const double near_z[] = { 1.0, 10.0 }; // the picture's lower side meets the water at 2
+  for (int i = 0; i < 2; ++i)
+  {
+    const double half = near_z[i];
+    const double box[4] = { -half, half, -half, half };
+    frustum_matrix(box, near_z[i], 1000.0, scene.eye.view_to_clip);
+    double bounds[6];
+    bounds_of(&scene, 0.0, bounds);
+    const double end = 1.0 + 1.0 / 128.0; // of the picture, as of the sheet
+    ASSERT_CLOSE(bounds[4], i == 0 ? 0.0 : 2.0 - end * half, 1e-9);
+    ASSERT_CLOSE(bounds[5], 0.0, 1e-9);
+    ASSERT_CLOSE(bounds[2], 2.0 / end, 1e-9);
+  }
+}
+
 TEST(an_eye_on_a_calm_plane_sees_no_higher)
 {
   water_scene scene = lake();
@@ -173,7 +194,8 @@ TEST(an_eye_on_a_calm_plane_sees_no_higher)
   look_level(0.0, &scene);
   if (water_horizon_bounds(&scene.eye, &scene.plane, 0.0, 0.0, bounds))
   {
-    assert_true(fabs(bounds[4]) < 1.0 && fabs(bounds[5]) < 1.0);
+    assert_true(fabs(bounds[5]) < 1.0);
+    assert_true(bounds[4] > -1.0 - 1.0 / 64.0); // the lower side of the near plane
   }
 }
 
@@ -200,4 +222,5 @@ TEST(the_eye_is_where_the_projection_has_it)
 TESTS(a_diagonal_leaves_a_triangle, nothing_is_left_of_a_sheet_that_is_not_wanted,
   reach_is_that_of_the_farthest_corner, depths_of_waves_end_at_infinity,
   an_eye_as_high_as_the_waves_is_among_them, bounds_of_an_eye_among_waves_are_its_view,
-  an_eye_on_a_calm_plane_sees_no_higher, the_eye_is_where_the_projection_has_it)
+  bounds_reach_the_near_plane_over_nearer_water, an_eye_on_a_calm_plane_sees_no_higher,
+  the_eye_is_where_the_projection_has_it)

@@ -3,6 +3,7 @@
 """Writes what came out of a Debian suite into Documentation/support.json, and support.md out of that.
 
 usage: support.py SUITE FOLDER   as script/debian calls it
+       support.py --paraview SUITE FOLDER   the same of the ParaView plugin, as script/debian --paraview calls it
        support.py --version VERSION FILE   as script/vtk-versions calls it; FILE: pytest's JUnit output, if there is one
        support.py                only writes support.md anew
 
@@ -17,6 +18,7 @@ import xml.etree.ElementTree as ElementTree
 DOCUMENTATION = pathlib.Path(__file__).resolve().parents[2] / "Documentation"
 DATA, PAGE = DOCUMENTATION / "support.json", DOCUMENTATION / "support.md"
 PAGE_TEMPLATE = pathlib.Path(__file__).with_name("support.md.in")
+PARAVIEW_FACTS = ("paraview", "python", "mpi", "compiler", "mesa")
 FAILED_LINES = 3  # of what a failed test said
 
 
@@ -50,8 +52,8 @@ def read_results(folder):
     }
 
 
-def row(suite, entry):
-    facts = [entry.get(name, "-") for name in ("vtk", "python", "compiler", "mesa")]
+def row(suite, entry, names=("vtk", "python", "compiler", "mesa")):
+    facts = [entry.get(name, "-") for name in names]
     if "reason" in entry:
         counts = ["not run: " + entry["reason"], "-", "-"]
     else:
@@ -59,9 +61,14 @@ def row(suite, entry):
     return "| " + " | ".join(map(str, [f"{entry.get('system', 'Debian')} (`{suite}`)", *facts, *counts])) + " |"
 
 
-def listed(results, kind):
+def in_order(results, name):
+    """The suites, in the order of a version."""
+    return dict(sorted(results.items(), key=lambda item: item[1].get(name, "")))
+
+
+def listed(kind, *tables):
     """A list of the tests of a kind, by suite, or that there is none."""
-    lines = [f"- `{suite}`: {name}: {reason}" for suite, entry in results.items()
+    lines = [f"- `{suite}`: {name}: {reason}" for results in tables for suite, entry in results.items()
              for name, reason in entry.get(kind, {}).items()]
     return "\n".join(lines) or "None."
 
@@ -83,22 +90,24 @@ def version_row(version, entry):
 
 def main():
     data = json.loads(DATA.read_text()) if DATA.exists() else {}
-    versions = data.setdefault("versions", {})
-    results = {name: entry for name, entry in data.items() if name != "versions"}
+    versions, plugins = data.setdefault("versions", {}), data.setdefault("paraview", {})
+    results = {name: entry for name, entry in data.items() if name not in ("versions", "paraview")}
     if len(sys.argv) == 4 and sys.argv[1] == "--version":
         versions[sys.argv[2]] = read_version(pathlib.Path(sys.argv[3]))
-        DATA.write_text(json.dumps({**results, "versions": versions}, indent=2, sort_keys=True) + "\n")
+    elif len(sys.argv) == 4 and sys.argv[1] == "--paraview":
+        plugins[sys.argv[2]] = read_results(pathlib.Path(sys.argv[3]))
     elif len(sys.argv) == 3:
         results[sys.argv[1]] = read_results(pathlib.Path(sys.argv[2]))
-        DATA.write_text(json.dumps({**results, "versions": versions}, indent=2, sort_keys=True) + "\n")
     elif len(sys.argv) != 1:
         sys.exit(__doc__)
-    order = sorted(results, key=lambda suite: results[suite].get("vtk", ""))
-    results = {suite: results[suite] for suite in order}
+    if len(sys.argv) != 1:
+        DATA.write_text(json.dumps({**results, "versions": versions, "paraview": plugins}, indent=2, sort_keys=True) + "\n")
+    results, plugins = in_order(results, "vtk"), in_order(plugins, "paraview")
     PAGE.write_text(PAGE_TEMPLATE.read_text().format(
         rows="\n".join(row(suite, entry) for suite, entry in results.items()),
+        paraview_rows="\n".join(row(suite, entry, PARAVIEW_FACTS) for suite, entry in plugins.items()),
         versions="\n".join(version_row(version, versions[version]) for version in sorted(versions)),
-        skipped=listed(results, "skipped"), failed=listed(results, "failed"), second=listed(results, "second")))
+        **{kind: listed(kind, results, plugins) for kind in ("skipped", "failed", "second")}))
 
 
 if __name__ == "__main__":

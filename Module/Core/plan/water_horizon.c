@@ -254,6 +254,25 @@ bool water_horizon_make(const water_camera* camera, const water_plane* plane, co
   return made.counts[0] + made.counts[1] + made.counts[2] > 0;
 }
 
+// Adds the point of the near plane that covers a place in front of it.
+static void add_on_near_plane(
+  const water_camera* camera, const water_eye* eye, const double place[3], double bounds[6])
+{
+  double view[4];
+  double clip[4];
+  double world[4];
+  water_mat4_apply_point(camera->world_to_view, place, view);
+  water_mat4_apply(camera->view_to_clip, view, clip);
+  const double on_plane[4] = { clip[0] / clip[3], clip[1] / clip[3], -1.0, 1.0 };
+  water_mat4_apply(eye->clip_to_view, on_plane, view);
+  water_mat4_apply(eye->view_to_world, view, world);
+  for (int k = 0; k < 3; ++k)
+  {
+    world[k] /= world[3];
+  }
+  water_bounds_add_point(bounds, world);
+}
+
 // Adds the corners of what a camera sees between its near and its far plane.
 static void add_view(const water_eye* eye, double bounds[6])
 {
@@ -298,6 +317,10 @@ bool water_horizon_bounds(const water_camera* camera, const water_plane* plane, 
         corner[k] = horizon.foot[k] + horizon.corners[part][i][k];
       }
       water_bounds_add_point(made, corner);
+      if (part == 0)
+      {
+        add_on_near_plane(camera, &eye, corner, made);
+      }
     }
   }
   double plane_view[4];

@@ -64,7 +64,9 @@ bool water_horizon_make(const water_camera* camera, const water_plane* plane, co
 void water_horizon_depths(const double view_to_clip[16], bool is_displaced, double depths[3]);
 
 // A box around all that an eye sees of an endless surface, for engines that composite the ranks'
-// pictures only where there are props' bounds.
+// pictures only where there are props' bounds. Such an engine cuts the box at the near plane, but
+// what is nearer is drawn there (water_horizon_depths). The box therefore holds the part of the
+// near plane that this covers.
 //
 // plane   of any scale
 // height  how far waves move the surface up or down, >= 0: an eye among them sees it everywhere

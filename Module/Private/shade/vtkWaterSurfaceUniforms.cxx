@@ -114,11 +114,15 @@ void vtkWaterSurfaceShader::SetParameters(
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::SetNoTexture(vtkShaderProgram* program, const char* name)
 {
-  vtkTextureObject* any = this->HasBackdrop ? this->Backdrop.GetColor() : this->Drawn.Reflection;
-  if (any)
+  // one that has a unit: with an own view, the picture's copy has none
+  for (const auto& [used, texture] : this->Active)
   {
-    vtkWaterUniforms::Set(program, name, any);
-    return;
+    const std::string sampler = used;
+    if (texture && (sampler == "waterReflection" || sampler == "waterSceneColor"))
+    {
+      vtkWaterUniforms::Set(program, name, texture);
+      return;
+    }
   }
   // GL refuses to draw where samplers of two kinds name one unit, and unit 0 may have a cube map
   vtkWaterUniforms::Set(program, name, vtkWaterShaderHook::GetPeelUnit(this->GetWindow()));
@@ -396,8 +400,8 @@ void vtkWaterSurfaceShader::SetCausticParameters(vtkShaderProgram* program)
   uniforms::Set2(program, "waterCalmWay", this->Light.calm_way);
   if (!this->HasLight && this->HasBackdrop) // not looked at, but a sampler needs a texture
   {
-    uniforms::Set(program, "waterCausticLight", this->Backdrop.GetColor());
-    uniforms::Set(program, "waterBed", this->Backdrop.GetColor());
+    this->SetNoTexture(program, "waterCausticLight");
+    this->SetNoTexture(program, "waterBed");
   }
 }
 
@@ -412,9 +416,13 @@ void vtkWaterSurfaceShader::SetShaftParameters(vtkShaderProgram* program)
   uniforms::Set2(program, "waterShaftWay", this->Shafts.light.calm_way);
   uniforms::Set(program, "waterShaftDepth", this->Shafts.eye_depth);
   vtkTextureObject* light = this->HasShafts ? this->ShaftLight.GetLight() : nullptr;
-  if (light || this->HasBackdrop) // without shafts not looked at, but a sampler needs a texture
+  if (light)
   {
-    uniforms::Set(program, "waterShaftLight", light ? light : this->Backdrop.GetColor());
+    uniforms::Set(program, "waterShaftLight", light);
+  }
+  else if (this->HasBackdrop) // without shafts not looked at, but a sampler needs a texture
+  {
+    this->SetNoTexture(program, "waterShaftLight");
   }
 }
 

@@ -260,6 +260,7 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view, vtkInformati
   {
     this->Take(inInfo, ranks);
   }
+  this->WarnOfExtent(ranks);
   // translucent data and volumes: the servers' pictures are blended in their order
   auto* delivery = vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
   this->AreServersInOrder =
@@ -275,6 +276,22 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view, vtkInformati
   // the view's passes are unknown to the water, which would keep half floats for them
   pass->SetColorPrecision(view->GetUseToneMapping() ? vtkWaterReflectionPass::HALF_FLOAT
                                                     : vtkWaterReflectionPass::EIGHT_BIT);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::WarnOfExtent(vtkMultiProcessController* ranks)
+{
+  const bool isUnsure =
+    ranks && ranks->GetNumberOfProcesses() > 1 && this->Actor->GetSheetIsAutomatic();
+  if (isUnsure && !this->WasUnsure && ranks->GetLocalProcessId() == 0)
+  {
+    vtkWarningMacro("Extent is Automatic, and "
+      << ranks->GetNumberOfProcesses()
+      << " ranks render the picture. Each looks for ground under the water in its own part of the "
+         "data, so the water may reach to the horizon where one process ends it at the shore. "
+         "Choose the Extent Scene, Horizon or Bounds.");
+  }
+  this->WasUnsure = this->WasUnsure || isUnsure;
 }
 
 //------------------------------------------------------------------------------
