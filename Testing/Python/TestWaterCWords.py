@@ -625,6 +625,20 @@ def test_a_bad_call_is_a_status_and_changes_nothing(small, status, words, functi
         wt.check_equal(f"after it: {name}", getattr(look, f"Get{name}")(), getattr(default, f"Get{name}")())
 
 
+@pytest.mark.parametrize("absorption, scattering, words", (
+    ((0.3, 0.4, 0.5), (0.1, -1.0, 0.1), b"MatterScattering is (0.1, -1, 0.1)"),
+    ((0.3, NAN, 0.5), (0.3, 0.2, 0.1), b"MatterAbsorption is (0.3, nan, 0.5)"),
+), ids=("scattering", "absorption"))
+def test_optics_of_matter_that_are_refused_change_neither_part(small, absorption, scattering, words):  # noqa: F811
+    """If one of absorption and scattering is wrong, the other one stays as it was, too."""
+    small.judge("vtk_water_actor_set_matter_optics", OK, b"", small.water, doubles(1, 2, 3), doubles(4, 5, 6))
+    small.judge("vtk_water_actor_set_matter_optics", BAD_VALUE, words, small.water, doubles(*absorption),
+                doubles(*scattering))
+    water = small.native_water()
+    wt.check_equal("absorption, scattering", (water.GetMatterAbsorption(), water.GetMatterScattering()),
+                   ((1.0, 2.0, 3.0), (4.0, 5.0, 6.0)))
+
+
 def compass_picture():
     """Red in the middle, green at the top, blue elsewhere."""
     picture = np.zeros((60, 120, 3), dtype=np.uint8)
