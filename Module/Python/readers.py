@@ -300,7 +300,7 @@ def wrong_cell_of(data):
     if data.IsA("vtkPolyData"):
         arrays = [data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()]
     elif data.IsA("vtkUnstructuredGrid"):
-        arrays = [data.GetCells()]
+        arrays = [data.GetCells()] if data.GetCells() else []  # none if the file has no types of cells
     else:
         return ""
     first = 0
