@@ -82,6 +82,19 @@ def test_a_picture_is_a_function_of_time_alone(folder, capsys):
                       wt.difference(pixels_of(folder / "at0.png"), pixels_of(folder / "at2.png")), 20)
 
 
+def test_filters_of_warnings_are_the_callers(folder, capsys):
+    """A program that calls the command has its own filters of warnings afterwards, also if the command fails."""
+    for name, wanted in (("slope.pvd", 0), ("none.pvd", 1)):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", UserWarning)
+            before = list(warnings.filters)
+            status = run(folder, capsys, "render", folder / name, *DATA, *LOOK, "--out", folder / "filters.png")[0]
+            wt.check_equal(f"{name}: status", status, wanted)
+            wt.check_equal(f"{name}: the filters are as before", warnings.filters == before, True)
+            with pytest.raises(UserWarning):
+                warnings.warn("of the caller", UserWarning, stacklevel=1)
+
+
 def test_steps_are_times(folder, capsys):
     for step, time in ((-1, 30), (1, 10)):
         for option, value in (("--step", step), ("--time", time)):
