@@ -113,6 +113,13 @@ TEST(a_low_eye_looks_down_by_less_than_thirty_degrees)
   const double eye[3] = { 0.0, 0.0, 1.0 };
   const double ahead[3] = { 1.0, 0.0, 0.0 };
   assert_false(water_beyond_is_low(&none, eye, ahead));
+  // an eye on the plane is not above it, and exactly 30 degrees are not less
+  const water_plane level = { { 0.0, 0.0, 1.0 }, 0.0 };
+  const double on_it[3] = { 3.0, 4.0, 0.0 };
+  const double thirty[3] = { sqrt(0.75), 0.0, -0.5 };
+  assert_true(water_beyond_is_low(&level, eye, ahead));
+  assert_false(water_beyond_is_low(&level, on_it, ahead));
+  assert_false(water_beyond_is_low(&level, eye, thirty));
 }
 
 // Beside a tile as much is drawn as beside the picture that it is a tile of.

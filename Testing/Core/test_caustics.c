@@ -380,10 +380,10 @@ TEST(photons_without_an_area_give_nothing)
 {
   const int texture_px[2] = { 4, 4 };
   const float place[4] = { 2.0f, 2.0f, 1.0f, 0.0f };
-  const float shapes[3][4] = { { 0.0f, 0.0f, 0.0f, 0.0f }, { 1.0f, 2.0f, 1.0f, 0.0f },
-    { 0.1f, NAN, 0.1f, 0.0f } };
+  const float shapes[4][4] = { { 0.0f, 0.0f, 0.0f, 0.0f }, { 1.0f, 2.0f, 1.0f, 0.0f },
+    { 0.1f, NAN, 0.1f, 0.0f }, { 0.125f, 0.125f, 0.125f, 0.0f } }; // the last: a line
   float light[16] = { 0.0f };
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 4; ++i)
   {
     water_caustics_add(place, shapes[i], 1, texture_px, light);
   }
@@ -407,7 +407,36 @@ TEST(pixels_that_look_up_need_no_light)
   assert_true(half.texture_px[0] * half.texture_px[1] < all.texture_px[0] * all.texture_px[1]);
 }
 
-TESTS(light_from_under_the_horizon_leads_nowhere, photons_without_an_area_give_nothing,
+// A slanting photon gives each texel the cube of 1 less the square of its distance, by its own
+// shape, up to the texture's border.
+TEST(a_photon_gives_by_its_shape)
+{
+  const int texture_px[2] = { 4, 4 };
+  const float place[4] = { 2.0f, 2.0f, 2.0f, 0.0f };
+  const float shape[4] = { 0.125f, 0.0625f, 0.25f, 0.0f };
+  float light[16] = { 0.0f };
+  water_caustics_add(place, shape, 1, texture_px, light);
+  for (int i = 0; i < 16; ++i)
+  {
+    const double dx = i % 4 - 1.5;
+    const double dy = i / 4 - 1.5;
+    const double within = fmax(1.0 - 0.125 * dx * dx - 0.125 * dx * dy - 0.25 * dy * dy, 0.0);
+    ASSERT_CLOSE((double)light[i], 2.0 * within * within * within, 1e-6);
+  }
+}
+
+// Light that runs along the water after its refraction reaches no bed.
+TEST(light_that_stays_level_reaches_no_bed)
+{
+  const double level[3] = { 1.0, 0.0, 0.0 };
+  const double slope[2] = { -0.75, 0.0 }; // towards the light; an index of 1 bends nothing
+  double way[2] = { 5.0, 5.0 };
+  assert_false(water_caustics_way(level, slope, 1.0, way));
+  ASSERT_CLOSE(way[0], 5.0, 0.0);
+}
+
+TESTS(a_photon_gives_by_its_shape, light_that_stays_level_reaches_no_bed,
+  light_from_under_the_horizon_leads_nowhere, photons_without_an_area_give_nothing,
   pixels_that_look_up_need_no_light, parallel_eyes_have_caustics_everywhere, way_is_snells,
   no_light_comes_from_behind, turn_is_that_of_small_slopes, spread_is_that_of_rays_of_the_disc,
   adding_keeps_the_light, photons_outside_stay_outside, places_come_to_their_texels,

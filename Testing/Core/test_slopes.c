@@ -74,8 +74,13 @@ TEST(vertices_know_their_places)
     }
     to_world[15] = 1.0;
     water_axes axes;
-    const double on_plane[3] = { -unit.offset * unit.normal[0], -unit.offset * unit.normal[1],
+    double on_plane[3] = { -unit.offset * unit.normal[0], -unit.offset * unit.normal[1],
       -unit.offset * unit.normal[2] };
+    water_lookup_axes(&unit, WATER_ABOVE, on_plane, &axes);
+    for (int i = 0; i < 3; ++i) // the axes begin beside the world's origin
+    {
+      on_plane[i] += 2.0 * axes.x_dir[i] - 3.0 * axes.y_dir[i];
+    }
     water_lookup_axes(&unit, WATER_ABOVE, on_plane, &axes);
     double across[4];
     double down[4];

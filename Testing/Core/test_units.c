@@ -71,6 +71,7 @@ TEST(waves_too_short_for_the_scene_are_not_seen)
 {
   assert_true(water_units_show_waves(2.6, 1000.0));
   assert_false(water_units_show_waves(2.4, 1000.0));
+  assert_true(water_units_show_waves(2.5, 1000.0)); // 400 waves across the scene
   assert_true(water_units_show_waves(0.1, 0.0));
 }
 

@@ -356,9 +356,26 @@ TEST(rows_are_few_and_need_an_area)
   }
 }
 
-TESTS(places_are_in_the_planes_own_axes, places_near_the_waves_are_found,
-  a_corner_on_the_water_is_over_it, the_last_of_three_at_an_edge_is_open,
-  loops_are_counter_clockwise, a_piece_is_in_its_rows_and_those_it_nearly_touches,
-  rows_are_few_and_need_an_area, what_a_waterline_goes_round_is_inside,
-  a_hold_between_thick_walls_is_inside, a_side_that_is_missing_is_an_open_hull,
-  what_the_water_does_not_meet_is_not_cut, wrong_places_are_found)
+// A loop that encloses nothing, to a place and back, is as its first piece goes.
+TEST(loops_without_an_area_are_not_turned)
+{
+  water_waterline_piece pieces[2] = { { { { 3.0, 4.0 }, { 5.0, 4.0 } }, { { 1, 2 }, { 3, 4 } },
+                                        { 0 }, false },
+    { { { 3.0, 4.0 }, { 5.0, 4.0 } }, { { 1, 2 }, { 3, 4 } }, { 0 }, false } };
+  water_waterline_end ends[4];
+  size_t open = 9;
+  assert_true(water_waterline_close(pieces, 2, ends, &open));
+  for (int i = 0; i < 2; ++i)
+  {
+    ASSERT_CLOSE(pieces[i].ends[0][0], i == 0 ? 3.0 : 5.0, 0.0);
+    ASSERT_CLOSE(pieces[i].ends[1][0], i == 0 ? 5.0 : 3.0, 0.0);
+  }
+}
+
+TESTS(loops_without_an_area_are_not_turned, places_are_in_the_planes_own_axes,
+  places_near_the_waves_are_found, a_corner_on_the_water_is_over_it,
+  the_last_of_three_at_an_edge_is_open, loops_are_counter_clockwise,
+  a_piece_is_in_its_rows_and_those_it_nearly_touches, rows_are_few_and_need_an_area,
+  what_a_waterline_goes_round_is_inside, a_hold_between_thick_walls_is_inside,
+  a_side_that_is_missing_is_an_open_hull, what_the_water_does_not_meet_is_not_cut,
+  wrong_places_are_found)
