@@ -404,15 +404,16 @@ TEST(plumb_lines_reach_to_where_they_vanish)
 {
   static const double inf = (double)INFINITY;
   // y and w of the direction up in clip space; low and high y of the water; of what is reached
-  static const double rows[8][6] = { { 0.25, -0.5, -0.25, 0.5, -0.5, 0.5 }, // vanish under it
-    { 0.25, -0.5, -0.75, -0.625, -0.75, -0.5 },                             // over it
-    { 0.25, -0.5, -0.75, 0.5, -0.75, 0.5 },                                 // in it
-    { 0.5, 1.0, 0.25, 0.75, -inf, inf },                                    // from in it
-    { 0.5, 1.0, -0.5, 0.25, -inf, 0.25 },                                   // from over it
-    { 0.5, 1.0, 0.625, 0.75, 0.625, inf },                                  // from under it
-    { 0.5, 1.0, 0.25, 0.5, -inf, 0.5 },                                     // from its upper end
-    { 0.5, 0.0, -0.5, 0.25, -inf, 0.25 } };                                 // nowhere: all go down
-  for (int i = 0; i < 8; ++i)
+  static const double rows[9][6] = { { 0.0, 0.0, -0.5, 0.25, -0.5, 0.25 }, // points to the eye
+    { 0.25, -0.5, -0.25, 0.5, -0.5, 0.5 },                                 // vanish under it
+    { 0.25, -0.5, -0.75, -0.625, -0.75, -0.5 },                            // over it
+    { 0.25, -0.5, -0.75, 0.5, -0.75, 0.5 },                                // in it
+    { 0.5, 1.0, 0.25, 0.75, -inf, inf },                                   // from in it
+    { 0.5, 1.0, -0.5, 0.25, -inf, 0.25 },                                  // from over it
+    { 0.5, 1.0, 0.625, 0.75, 0.625, inf },                                 // from under it
+    { 0.5, 1.0, 0.25, 0.5, -inf, 0.5 },                                    // from its upper end
+    { 0.5, 0.0, -0.5, 0.25, -inf, 0.25 } };                                // nowhere: all go down
+  for (int i = 0; i < 9; ++i)
   {
     double dir_to_eye[12] = { 0.0 };
     dir_to_eye[5] = rows[i][0];

@@ -3,6 +3,8 @@
 // followed from all of the surface that lights what the eye sees.
 #include "test_scene.h"
 
+#include <stdlib.h>
+
 #include "water_caustics.h"
 #include "water_caustics_plan.h"
 #include "water_medium.h"
@@ -435,7 +437,48 @@ TEST(light_that_stays_level_reaches_no_bed)
   ASSERT_CLOSE(way[0], 5.0, 0.0);
 }
 
-TESTS(a_photon_gives_by_its_shape, light_that_stays_level_reaches_no_bed,
+// An eye just as high as its dome port is wide sees the bed as any other eye; under that height,
+// along straight rays, and its light is followed deeper.
+TEST(a_port_that_touches_the_water_is_not_in_it)
+{
+  water_scene scene = pool(30.0); // from 10 over the water
+  water_cull_reason reasons[8];
+  water_plan plan = plan_over_bed(&scene, reasons);
+  plan.bed_depth = 1000.0;
+  water_caustics_input input = usual;
+  input.extinction = 1e-9;
+  double depths[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    input.port_radius = 9.0 + i;
+    water_caustics made;
+    assert_true(water_caustics_plan(&plan, &input, &made));
+    depths[i] = made.depth;
+  }
+  ASSERT_CLOSE(depths[1], depths[0], 0.0);
+  ASSERT_CLOSE(depths[2], 1000.0, 0.0);
+  assert_true(depths[1] < 1000.0);
+}
+
+// Photons beside a texture of one texel write nowhere else.
+TEST(a_texture_may_have_one_texel)
+{
+  const int texture_px[2] = { 1, 1 };
+  const float shape[4] = { 0.25f, 0.0f, 0.25f, 0.0f };
+  float* light = calloc(1, sizeof *light); // sanitizers see who writes on
+  assert_non_null(light);
+  for (int i = 0; i < 9; ++i)
+  {
+    const float place[4] = { 10.5f * (float)(i % 3 - 1) + 0.5f, 10.5f * (float)(i / 3 - 1) + 0.5f,
+      1.0f, 0.0f };
+    water_caustics_add(place, shape, 1, texture_px, light);
+  }
+  ASSERT_CLOSE((double)*light, 1.0, 1e-6);
+  free(light);
+}
+
+TESTS(a_port_that_touches_the_water_is_not_in_it, a_texture_may_have_one_texel,
+  a_photon_gives_by_its_shape, light_that_stays_level_reaches_no_bed,
   light_from_under_the_horizon_leads_nowhere, photons_without_an_area_give_nothing,
   pixels_that_look_up_need_no_light, parallel_eyes_have_caustics_everywhere, way_is_snells,
   no_light_comes_from_behind, turn_is_that_of_small_slopes, spread_is_that_of_rays_of_the_disc,

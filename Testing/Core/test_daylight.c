@@ -30,6 +30,7 @@ TEST(encoding_is_the_standards)
 TEST(the_straight_part_of_the_encoding_has_its_end)
 {
   ASSERT_CLOSE(water_display_decode(0.04045), 0.04045 / 12.92, 1e-13);
+  ASSERT_CLOSE(water_display_encode(0.0031308), 0.0031308 * 12.92, 1e-13);
 }
 
 TEST(values_outside_are_clamped)

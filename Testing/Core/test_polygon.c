@@ -2,6 +2,8 @@
 // test_polygon.c: the normals of polygons.
 #include "test_scene.h"
 
+#include <stdlib.h>
+
 #include "water_polygon.h"
 
 #include <math.h>
@@ -210,8 +212,28 @@ TEST(points_get_the_normals_of_their_polygons)
   }
 }
 
-TESTS(sums_of_normals_become_units, a_pentagon_s_normal_is_that_of_its_parts,
-  points_get_the_normals_of_their_polygons, a_triangle_s_normal_follows_the_right_hand,
-  a_concave_polygon_has_the_normal_of_its_whole, a_bent_quad_has_the_mean_normal,
-  what_has_no_area_has_no_normal, rows_of_quads_have_the_same_normals,
-  shares_of_a_mesh_make_the_whole)
+// A polygon without corners, after all others, adds nothing and reads nothing.
+TEST(the_last_polygon_may_be_empty)
+{
+  const double points[9] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
+  const int64_t starts[3] = { 0, 3, 3 };
+  int64_t* corners = malloc(3 * sizeof *corners); // sanitizers see who reads on
+  assert_non_null(corners);
+  for (int i = 0; i < 3; ++i)
+  {
+    corners[i] = i;
+  }
+  float sums[9] = { 0.0f };
+  water_polygon_add_normals(points, starts, corners, 2, sums);
+  for (int i = 0; i < 9; ++i)
+  {
+    ASSERT_CLOSE((double)sums[i], i % 3 == 2 ? 1.0 : 0.0, 0.0);
+  }
+  free(corners);
+}
+
+TESTS(the_last_polygon_may_be_empty, sums_of_normals_become_units,
+  a_pentagon_s_normal_is_that_of_its_parts, points_get_the_normals_of_their_polygons,
+  a_triangle_s_normal_follows_the_right_hand, a_concave_polygon_has_the_normal_of_its_whole,
+  a_bent_quad_has_the_mean_normal, what_has_no_area_has_no_normal,
+  rows_of_quads_have_the_same_normals, shares_of_a_mesh_make_the_whole)

@@ -39,7 +39,7 @@ TEST(any_triangle_has_a_slope)
   ASSERT_CLOSE(rms_of(wall, 1), 10.0, 1e-12);
   ASSERT_CLOSE(rms_of(broken, 1), 0.0, 0.0);
   ASSERT_CLOSE(water_slopes_together(0.3, 0.4), 0.5, 1e-12);
-  assert_false(water_slopes_are_seen(0.99e-4));
+  assert_false(water_slopes_are_seen(1e-4));
   assert_true(water_slopes_are_seen(1.01e-4));
 }
 
@@ -194,5 +194,13 @@ TEST(polygons_are_fans)
   ASSERT_CLOSE(water_slopes_rms(&both), water_slopes_rms(&slopes), 1e-15);
 }
 
-TESTS(slopes_are_weighed_by_area, any_triangle_has_a_slope, vertices_know_their_places,
-  normals_stay_normal, polygons_are_fans)
+// Triangles without an area, and those whose area is no number, change nothing of the others.
+TEST(triangles_without_a_size_do_not_count)
+{
+  const double corners[9][3] = { { 0, 0, 0 }, { 2, 0, 0.2 }, { 0, 3, 0 }, { 1, 1, 1 }, { 1, 1, 1 },
+    { 1, 1, 1 }, { 0, 0, 0 }, { 1e200, 0, 0 }, { 0, 1e200, 0 } };
+  ASSERT_CLOSE(rms_of(corners, 3), 0.1, 1e-12);
+}
+
+TESTS(triangles_without_a_size_do_not_count, slopes_are_weighed_by_area, any_triangle_has_a_slope,
+  vertices_know_their_places, normals_stay_normal, polygons_are_fans)

@@ -372,10 +372,44 @@ TEST(loops_without_an_area_are_not_turned)
   }
 }
 
-TESTS(loops_without_an_area_are_not_turned, places_are_in_the_planes_own_axes,
-  places_near_the_waves_are_found, a_corner_on_the_water_is_over_it,
-  the_last_of_three_at_an_edge_is_open, loops_are_counter_clockwise,
-  a_piece_is_in_its_rows_and_those_it_nearly_touches, rows_are_few_and_need_an_area,
-  what_a_waterline_goes_round_is_inside, a_hold_between_thick_walls_is_inside,
-  a_side_that_is_missing_is_an_open_hull, what_the_water_does_not_meet_is_not_cut,
-  wrong_places_are_found)
+// Whichever way each piece goes at first, all go round the loop counter-clockwise.
+TEST(pieces_of_a_loop_go_one_way)
+{
+  static const double places[4][2] = { { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 2.0 }, { 0.0, 2.0 } };
+  for (int turned = 0; turned < 32; ++turned)
+  {
+    water_waterline_piece pieces[4];
+    water_waterline_end ends[8];
+    size_t open = 9;
+    for (int i = 0; i < 4; ++i)
+    {
+      const water_waterline_piece none = { { { 0 } }, { { 0 } }, { 0 }, false };
+      pieces[i] = none;
+      for (int end = 0; end < 2; ++end)
+      {
+        const int corner = (i + (end ^ (turned >> i & 1))) % 4;
+        const int place = turned < 16 ? corner : 3 - corner;
+        memcpy(pieces[i].ends[end], places[place], sizeof places[0]);
+        pieces[i].edges[end][0] = (size_t)corner;
+        pieces[i].edges[end][1] = (size_t)corner + 10;
+      }
+    }
+    assert_true(water_waterline_close(pieces, 4, ends, &open));
+    for (int i = 0; i < 4; ++i)
+    {
+      const double* from = pieces[i].ends[0];
+      const double* to = pieces[i].ends[1];
+      const double round =
+        (from[0] - 1.0) * (to[1] - 1.0) - (from[1] - 1.0) * (to[0] - 1.0); // the middle
+      ASSERT_CLOSE(round, 2.0, 0.0);
+    }
+  }
+}
+
+TESTS(pieces_of_a_loop_go_one_way, loops_without_an_area_are_not_turned,
+  places_are_in_the_planes_own_axes, places_near_the_waves_are_found,
+  a_corner_on_the_water_is_over_it, the_last_of_three_at_an_edge_is_open,
+  loops_are_counter_clockwise, a_piece_is_in_its_rows_and_those_it_nearly_touches,
+  rows_are_few_and_need_an_area, what_a_waterline_goes_round_is_inside,
+  a_hold_between_thick_walls_is_inside, a_side_that_is_missing_is_an_open_hull,
+  what_the_water_does_not_meet_is_not_cut, wrong_places_are_found)
