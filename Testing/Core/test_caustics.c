@@ -64,6 +64,42 @@ TEST(turn_is_that_of_small_slopes)
   ASSERT_CLOSE(turn[2], 1.0 - 1.0 / 1.333, 1e-6);
 }
 
+// Under a slanting sun they turn it by what Snell's law says: the symmetric part of the changes of
+// both ways aside with both slopes.
+TEST(turn_is_the_change_of_the_refracted_way)
+{
+  const double step = 1e-4;
+  for (int azimuth = 25; azimuth < 360; azimuth += 55)
+  {
+    double sun_dir[3];
+    double turn[3];
+    double change[2][2];
+    sun_at(40.0, azimuth, sun_dir);
+    water_caustics_turn(sun_dir, 1.333, turn);
+    const double dir[3] = { -sun_dir[0], -sun_dir[1], -sun_dir[2] };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      double aside[2][2];
+      for (int side = 0; side < 2; ++side)
+      {
+        double normal[3] = { 0.0, 0.0, 1.0 };
+        double refracted[3];
+        normal[axis] = side == 0 ? step : -step;
+        normalise(normal);
+        assert_int_equal(water_medium_refract(dir, normal, 1.333, refracted), WATER_OK);
+        aside[side][0] = -refracted[0] / refracted[2];
+        aside[side][1] = -refracted[1] / refracted[2];
+      }
+      change[0][axis] = 0.5 * (aside[1][0] - aside[0][0]) / step;
+      change[1][axis] = 0.5 * (aside[1][1] - aside[0][1]) / step;
+    }
+    ASSERT_CLOSE(turn[0], change[0][0], 1e-6);
+    ASSERT_CLOSE(turn[1], 0.5 * (change[0][1] + change[1][0]), 1e-6);
+    ASSERT_CLOSE(turn[2], change[1][1], 1e-6);
+    assert_true(fabs(turn[1]) > 1e-3);
+  }
+}
+
 // The sun's disc spreads as rays of it do, refracted one by one.
 TEST(spread_is_that_of_rays_of_the_disc)
 {
@@ -147,6 +183,25 @@ TEST(adding_keeps_the_light)
     sum_all += sum / 200.0;
   }
   ASSERT_CLOSE(sum_all, 1.0, 0.01);
+}
+
+// Photons of a list give what each gives, with its own place and shape.
+TEST(several_photons_add_up)
+{
+  const int texture_px[2] = { 4, 4 };
+  const float places[12] = { 1.0f, 1.0f, 1.0f, 0.0f, 3.0f, 1.5f, 2.0f, 0.0f, 2.0f, 3.0f, 0.5f,
+    0.0f };
+  const float shapes[12] = { 0.5f, 0.1f, 0.25f, 0.0f, 1.0f, 0.0f, 0.5f, 0.0f, 0.125f, -0.0625f,
+    0.5f, 0.0f };
+  float together[16] = { 0.0f };
+  float alone[16] = { 0.0f };
+  water_caustics_add(places, shapes, 3, texture_px, together);
+  for (int i = 0; i < 3; ++i)
+  {
+    water_caustics_add(places + 4 * i, shapes + 4 * i, 1, texture_px, alone);
+  }
+  assert_memory_equal(together, alone, sizeof alone);
+  assert_true(alone[0] > 0.1f && alone[10] > 0.1f);
 }
 
 // Photons beyond the texture's border give it what reaches in, and write nowhere else.
@@ -477,7 +532,8 @@ TEST(a_texture_may_have_one_texel)
   free(light);
 }
 
-TESTS(a_port_that_touches_the_water_is_not_in_it, a_texture_may_have_one_texel,
+TESTS(turn_is_the_change_of_the_refracted_way, several_photons_add_up,
+  a_port_that_touches_the_water_is_not_in_it, a_texture_may_have_one_texel,
   a_photon_gives_by_its_shape, light_that_stays_level_reaches_no_bed,
   light_from_under_the_horizon_leads_nowhere, photons_without_an_area_give_nothing,
   pixels_that_look_up_need_no_light, parallel_eyes_have_caustics_everywhere, way_is_snells,

@@ -232,8 +232,45 @@ TEST(the_last_polygon_may_be_empty)
   free(corners);
 }
 
-TESTS(the_last_polygon_may_be_empty, sums_of_normals_become_units,
-  a_pentagon_s_normal_is_that_of_its_parts, points_get_the_normals_of_their_polygons,
-  a_triangle_s_normal_follows_the_right_hand, a_concave_polygon_has_the_normal_of_its_whole,
-  a_bent_quad_has_the_mean_normal, what_has_no_area_has_no_normal,
-  rows_of_quads_have_the_same_normals, shares_of_a_mesh_make_the_whole)
+// Rows of triangles and of pentagons are no quads.
+TEST(rows_of_others_have_their_normals)
+{
+  enum
+  {
+    COUNT = 40
+  };
+  dice from = dice_seeded(22);
+  for (int size = 3; size <= 5; size += 2)
+  {
+    double points[3 * 5 * COUNT];
+    int64_t starts[COUNT + 1];
+    int64_t corners[5 * COUNT];
+    float sums[3 * 5 * COUNT] = { 0.0f };
+    for (int i = 0; i < 3 * 5 * COUNT; ++i)
+    {
+      points[i] = dice_roll(&from, -1.0, 1.0);
+      corners[i / 3] = i / 3;
+    }
+    for (int i = 0; i <= COUNT; ++i)
+    {
+      starts[i] = (int64_t)size * i;
+    }
+    water_polygon_add_normals(points, starts, corners, COUNT, sums);
+    for (int i = 0; i < COUNT; ++i)
+    {
+      double normal[3];
+      assert_true(water_polygon_normal(points + 3 * size * i, (size_t)size, normal));
+      for (int j = 0; j < 3 * size; ++j)
+      {
+        ASSERT_CLOSE((double)sums[3 * size * i + j], (double)(float)normal[j % 3], 0.0);
+      }
+    }
+  }
+}
+
+TESTS(rows_of_others_have_their_normals, the_last_polygon_may_be_empty,
+  sums_of_normals_become_units, a_pentagon_s_normal_is_that_of_its_parts,
+  points_get_the_normals_of_their_polygons, a_triangle_s_normal_follows_the_right_hand,
+  a_concave_polygon_has_the_normal_of_its_whole, a_bent_quad_has_the_mean_normal,
+  what_has_no_area_has_no_normal, rows_of_quads_have_the_same_normals,
+  shares_of_a_mesh_make_the_whole)
