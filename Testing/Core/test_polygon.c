@@ -268,9 +268,38 @@ TEST(rows_of_others_have_their_normals)
   }
 }
 
-TESTS(rows_of_others_have_their_normals, the_last_polygon_may_be_empty,
-  sums_of_normals_become_units, a_pentagon_s_normal_is_that_of_its_parts,
-  points_get_the_normals_of_their_polygons, a_triangle_s_normal_follows_the_right_hand,
-  a_concave_polygon_has_the_normal_of_its_whole, a_bent_quad_has_the_mean_normal,
-  what_has_no_area_has_no_normal, rows_of_quads_have_the_same_normals,
-  shares_of_a_mesh_make_the_whole)
+// Empty polygons add nothing, however many follow each other, and whatever the list has besides.
+TEST(rows_of_empty_polygons_add_nothing)
+{
+  enum
+  {
+    COUNT = 40
+  };
+  double points[3 * 4 * COUNT];
+  int64_t corners[4 * COUNT];
+  int64_t starts[COUNT + 1] = { 0 };
+  float sums[3 * 4 * COUNT] = { 0.0f };
+  for (int i = 0; i < 4 * COUNT; ++i)
+  {
+    corners[i] = i;
+    points[3 * i] = i % 4 == 1 || i % 4 == 2 ? 1.0 : 0.0;
+    points[3 * i + 1] = i % 4 >= 2 ? 1.0 : 0.0;
+    points[3 * i + 2] = 0.0;
+  }
+  for (int i = 1; i <= COUNT; ++i) // the first is a line
+  {
+    starts[i] = 2;
+  }
+  water_polygon_add_normals(points, starts, corners, COUNT, sums);
+  for (int i = 0; i < 3 * 4 * COUNT; ++i)
+  {
+    ASSERT_CLOSE((double)sums[i], 0.0, 0.0);
+  }
+}
+
+TESTS(rows_of_empty_polygons_add_nothing, rows_of_others_have_their_normals,
+  the_last_polygon_may_be_empty, sums_of_normals_become_units,
+  a_pentagon_s_normal_is_that_of_its_parts, points_get_the_normals_of_their_polygons,
+  a_triangle_s_normal_follows_the_right_hand, a_concave_polygon_has_the_normal_of_its_whole,
+  a_bent_quad_has_the_mean_normal, what_has_no_area_has_no_normal,
+  rows_of_quads_have_the_same_normals, shares_of_a_mesh_make_the_whole)
