@@ -187,6 +187,8 @@ TEST(bed_is_as_deep_as_the_deepest_thing_that_is_shown)
   const water_plane slanted = { { 2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0 }, 0.5 };
   const water_prop aside = { { 1.0, 2.0, 3.0, 5.0, -4.0, -1.0 }, shown, 0.0f };
   ASSERT_CLOSE(water_lookup_bottom(&slanted, &aside, 1), 19.0 / 6.0, 1e-12);
+  const water_prop wall = { { 1.0, 1.0, -1.0, 1.0, -2.5, 1.0 }, shown, 0.0f };
+  ASSERT_CLOSE(water_lookup_bottom(&level, &wall, 1), 2.5, 1e-12); // without a thickness
   ASSERT_CLOSE(water_lookup_bottom(&level, props + 5, 1), 0.0, 0.0);
   ASSERT_CLOSE(water_lookup_bottom(&level, props, 0), 0.0, 0.0);
 }

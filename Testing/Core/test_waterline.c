@@ -375,33 +375,35 @@ TEST(loops_without_an_area_are_not_turned)
 // Whichever way each piece goes at first, all go round the loop counter-clockwise.
 TEST(pieces_of_a_loop_go_one_way)
 {
-  static const double places[4][2] = { { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 2.0 }, { 0.0, 2.0 } };
-  for (int turned = 0; turned < 32; ++turned)
+  static const double places[5][2] = { { 0.0, 0.0 }, { 2.0, 0.0 }, { 3.0, 1.5 }, { 2.0, 3.0 },
+    { 0.0, 3.0 } };
+  for (int round = 0; round < 3 * 64; ++round)
   {
-    water_waterline_piece pieces[4];
-    water_waterline_end ends[8];
+    const int sides = 3 + round / 64;
+    const int turned = round % 64;
+    water_waterline_piece pieces[5];
+    water_waterline_end ends[10];
     size_t open = 9;
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < sides; ++i)
     {
       const water_waterline_piece none = { { { 0 } }, { { 0 } }, { 0 }, false };
       pieces[i] = none;
       for (int end = 0; end < 2; ++end)
       {
-        const int corner = (i + (end ^ (turned >> i & 1))) % 4;
-        const int place = turned < 16 ? corner : 3 - corner;
+        const int corner = (i + (end ^ (turned >> i & 1))) % sides;
+        const int place = turned < 32 ? corner : sides - 1 - corner;
         memcpy(pieces[i].ends[end], places[place], sizeof places[0]);
         pieces[i].edges[end][0] = (size_t)corner;
         pieces[i].edges[end][1] = (size_t)corner + 10;
       }
     }
-    assert_true(water_waterline_close(pieces, 4, ends, &open));
-    for (int i = 0; i < 4; ++i)
+    assert_true(water_waterline_close(pieces, (size_t)sides, ends, &open));
+    for (int i = 0; i < sides; ++i)
     {
       const double* from = pieces[i].ends[0];
       const double* to = pieces[i].ends[1];
-      const double round =
-        (from[0] - 1.0) * (to[1] - 1.0) - (from[1] - 1.0) * (to[0] - 1.0); // the middle
-      ASSERT_CLOSE(round, 2.0, 0.0);
+      // about a place within all of them
+      assert_true((from[0] - 1.5) * (to[1] - 0.5) - (from[1] - 0.5) * (to[0] - 1.5) > 0.0);
     }
   }
 }
