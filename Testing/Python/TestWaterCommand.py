@@ -390,6 +390,40 @@ def test_wrong_cells_of_a_file_are_told(text, words, tmp_path):
     wt.check_equal("said", str(caught.value), f"{path}: {words}")
 
 
+def ply_of(is_binary, is_big, faces):
+    """A square's bytes: four places, and faces of those."""
+    kind = f"binary_{'big' if is_big else 'little'}_endian" if is_binary else "ascii"
+    header = (f"ply\nformat {kind} 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+              f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n").encode()
+    places = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    if not is_binary:
+        lines = places + [(len(face), *face) for face in faces]
+        return header + "".join(" ".join(map(str, line)) + "\n" for line in lines).encode()
+    order = ">" if is_big else "<"
+    lists = b"".join(bytes([len(face)]) + np.array(face, order + "i4").tobytes() for face in faces)
+    return header + np.array(places, order + "f4").tobytes() + lists
+
+
+@pytest.mark.parametrize("faces", (((0, 1, 2), (0, 2, 3)), ((0, 1, 2, 3), (0, 1, 2))), ids=("even", "uneven"))
+@pytest.mark.parametrize("is_binary, is_big", ((False, False), (True, False), (True, True)),
+                         ids=("text", "little", "big"))
+def test_a_ply_file_that_is_cut_off_is_told(is_binary, is_big, faces, tmp_path):
+    """Wherever it ends, it is an error that says so; VTK's reader shows a part of it, or crashes."""
+    whole, path = ply_of(is_binary, is_big, faces), tmp_path / "square.ply"
+    path.write_bytes(whole)
+    wt.check_equal("faces of the whole", readers.read(path).data.GetNumberOfCells(), 2)
+    header = whole.index(b"end_header")
+    shortest = 1 if is_binary else 2  # the end of the last line may be missing
+    for size in (*range(4, header, 30), header + 5, *range(header + 11, len(whole) - shortest + 1)):
+        path.write_bytes(whole[:size])
+        with pytest.raises(readers.FileError) as caught:
+            readers.read(path)
+        words = "no end" if size < header + 10 else "is cut off; its header names 4 of the element 'vertex', 2 of"
+        if words not in str(caught.value):
+            wt.check_equal(f"{size} bytes: {caught.value}", "said", words)
+    path.write_bytes(whole)
+
+
 def test_cells_without_types_are_told():
     """A grid with fewer types than cells is refused, with both numbers."""
     points, cells, grid = vtkPoints(), vtkCellArray(), vtkUnstructuredGrid()

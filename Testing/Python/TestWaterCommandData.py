@@ -11,7 +11,7 @@ from solution_files import (COLUMNS, FILES, ROWS, SIZE, add_array, folder, image
                             write_collection, write_xml)
 from vtkmodules import vtkIOXML
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray, vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStructuredGrid
 from vtkwater import command, measure, solutions
 from vtkwater.data_scenes import COLOR_MAPS, known_cells, table_of
@@ -80,6 +80,20 @@ def test_a_picture_is_a_function_of_time_alone(folder, capsys):
                          wt.difference(pixels_of(folder / f"frames/{i:04d}.png"), pixels_of(out)), 1)
     wt.check_at_least("frame 2 less frame 0",
                       wt.difference(pixels_of(folder / "at0.png"), pixels_of(folder / "at2.png")), 20)
+
+
+def test_an_array_of_texts_is_told_once(tmp_path, capsys):
+    """An array of texts has no numbers to show: the error says so, and does not list it among those that have."""
+    mesh = structured()
+    names = vtkStringArray()
+    names.SetName("label")
+    names.SetNumberOfValues(mesh.GetNumberOfPoints())
+    mesh.GetPointData().AddArray(names)
+    write_xml(tmp_path / "labels.vts", mesh)
+    status, _, told = run(tmp_path, capsys, "render", tmp_path / "labels.vts", "--depth", "label", "--bed", "zb", *LOOK)
+    wt.check_equal(f"status, lines: {told}", (status, len(told.strip().splitlines())), (1, 1))
+    wt.check_equal("said", "labels.vts: the array 'label' has texts; arrays are: zb (points)" in told, True)
+    wt.check_equal("named", told.count("label ") + told.count("'label'"), 1)
 
 
 def test_filters_of_warnings_are_the_callers(folder, capsys):
