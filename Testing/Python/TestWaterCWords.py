@@ -521,7 +521,7 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
     (
         "sun_at_night",
         BAD_VALUE,
-        b"elevation -5.000000 degrees; they must be finite and in [0, 90]",
+        b"elevation -5 degrees; they must be finite and in [0, 90]",
         "vtk_water_scene_set_sun",
         lambda it: (it.scene, number(0), number(-5), None),
     ),
@@ -535,7 +535,7 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
     (
         "sun_color",
         BAD_VALUE,
-        b"[0, 1]",
+        b"color is (0, 0, -1); red, green and blue must lie in [0, 1]",
         "vtk_water_scene_set_sun",
         lambda it: (it.scene, number(0), number(0), doubles(0, 0, -1)),
     ),
@@ -549,21 +549,21 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
     (
         "light_intensity",
         BAD_VALUE,
-        b"intensity (-1",
+        b"intensity is -1; it must be finite and not negative",
         "vtk_water_scene_add_light",
         lambda it: (it.scene, doubles(0, 0, 1), doubles(*BOTTOM), number(-1)),
     ),
     (
         "light_place",
         BAD_VALUE,
-        b"position must be finite",
+        b"position is (0, nan, 1); it must be finite",
         "vtk_water_scene_add_light",
         lambda it: (it.scene, doubles(0, NAN, 1), doubles(*BOTTOM), number(1)),
     ),
     (
         "light_color",
         BAD_VALUE,
-        b"[0, 1]",
+        b"color is (0, 0, 3); red, green and blue must lie in [0, 1]",
         "vtk_water_scene_add_light",
         lambda it: (it.scene, doubles(0, 0, 1), doubles(0, 0, 3), number(1)),
     ),
