@@ -167,6 +167,8 @@ TEST(water_that_meets_land_twice_is_split)
   const double touched[4] = { 1.0, 1.0, 0.0, 1.0 };
   const double one[4] = { 0.0, 0.0, 0.0, 1.0 };
   const double flat[4] = { 1.0, 0.0, 0.0, -1.0 };
+  const double six[6] = { 1.0, 1.0, 1.0, -1.0, -1.0, 1.0 }; // its last corner is beside the first
+  assert_false(water_shore_is_split(six, 6));
   assert_false(water_shore_is_split(one, 4));
   assert_false(water_shore_is_split(flat, 4));
   assert_true(water_shore_is_split(edge, 4));

@@ -156,8 +156,15 @@ TEST(normals_stay_normal)
     assert_true(dot(found, found) > 0.0);
   }
   const double flat[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 };
+  const double wide[16] = { 2, 0, 0, 7, 0, 4, 0, 8, 0, 0, 5, 9, 0, 0, 0, 1 };
   water_axes axes = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, 0 } };
   double rows[9];
+  water_slopes_normals(&axes, wide, rows); // they keep their side
+  for (int i = 0; i < 9; ++i)
+  {
+    const double by[3] = { 0.5, 0.25, 0.2 };
+    ASSERT_CLOSE(rows[i], i % 4 == 0 ? by[i / 4] : 0.0, 1e-15);
+  }
   water_slopes_normals(&axes, flat, rows);
   for (int i = 0; i < 9; ++i)
   {
