@@ -14,7 +14,7 @@ extern "C"
 
 #define WATER_STATUS_LIST(X)                                                                       \
   X(WATER_OK, "no error")                                                                          \
-  X(WATER_BAD_PLANE, "the water plane needs an origin within 1e100 and a finite, nonzero normal")  \
+  X(WATER_BAD_PLANE, "the water plane needs an origin within 1e100 and a finite normal, not zero") \
   X(WATER_BAD_SURFACE,                                                                             \
     "the water has no surface: the scene is empty or its bounds exceed 1e100; add props, set "     \
     "SheetBounds or give the water a mapper")                                                      \
