@@ -84,9 +84,14 @@ vtk_water_status vtk_water_actor_set_plane(
       return Fail(VTK_WATER_NULL_ARGUMENT, "actor, origin or normal is NULL");
     }
     const bool isZero = normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 0.0;
-    if (!AreFinite(origin, 3) || !AreFinite(normal, 3) || isZero)
+    std::string wrong = DescribeBadPlace("origin", origin);
+    if (wrong.empty() && (isZero || !AreFinite(normal, 3)))
     {
-      return Fail(VTK_WATER_BAD_VALUE, "origin and normal must be finite, the normal not zero");
+      wrong = "normal is " + TextOf(normal) + "; it must be finite and not zero";
+    }
+    if (!wrong.empty())
+    {
+      return Fail(VTK_WATER_BAD_VALUE, wrong);
     }
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(const_cast<double*>(origin));

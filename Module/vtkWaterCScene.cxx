@@ -99,9 +99,11 @@ vtk_water_status vtk_water_scene_set_sky(
     {
       return Fail(VTK_WATER_NULL_ARGUMENT, "scene, bottom or top is NULL");
     }
-    if (!IsColor(bottom) || !IsColor(top))
+    std::string wrong = DescribeBadColor("bottom", bottom);
+    wrong = wrong.empty() ? DescribeBadColor("top", top) : wrong;
+    if (!wrong.empty())
     {
-      return Fail(VTK_WATER_BAD_VALUE, "red, green and blue must lie in [0, 1]");
+      return Fail(VTK_WATER_BAD_VALUE, wrong);
     }
     scene->Renderer->GradientBackgroundOn();
     scene->Renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
@@ -119,13 +121,16 @@ vtk_water_status vtk_water_scene_set_sun(
       return Fail(VTK_WATER_NULL_ARGUMENT, "scene is NULL");
     }
     const double* rgb = color ? color : kSunColor;
-    if (!std::isfinite(azimuth_deg) || !(elevation_deg >= 0.0 && elevation_deg <= 90.0) ||
-      !IsColor(rgb))
+    if (!std::isfinite(azimuth_deg) || !(elevation_deg >= 0.0 && elevation_deg <= 90.0))
     {
       return Fail(VTK_WATER_BAD_VALUE,
-        "azimuth is " + std::to_string(azimuth_deg) + " and elevation " +
-          std::to_string(elevation_deg) +
-          " degrees; they must be finite and in [0, 90]; red, green and blue in [0, 1]");
+        "azimuth is " + TextOf(azimuth_deg) + " and elevation " + TextOf(elevation_deg) +
+          " degrees; they must be finite and in [0, 90]");
+    }
+    const std::string wrong = DescribeBadColor("color", rgb);
+    if (!wrong.empty())
+    {
+      return Fail(VTK_WATER_BAD_VALUE, wrong);
     }
     const double up[3] = { 0.0, 0.0, 1.0 };
     double direction[3];
@@ -146,12 +151,15 @@ vtk_water_status vtk_water_scene_add_light(
     {
       return Fail(VTK_WATER_NULL_ARGUMENT, "scene, position or color is NULL");
     }
-    if (!AreFinite(position, 3) || !IsColor(color) || !(intensity >= 0.0) ||
-      !std::isfinite(intensity))
+    std::string wrong = DescribeBadPlace("position", position);
+    wrong = wrong.empty() ? DescribeBadColor("color", color) : wrong;
+    if (wrong.empty() && (!(intensity >= 0.0) || !std::isfinite(intensity)))
     {
-      return Fail(VTK_WATER_BAD_VALUE,
-        "position must be finite, red, green and blue in [0, 1], the intensity (" +
-          std::to_string(intensity) + ") finite and not negative");
+      wrong = "intensity is " + TextOf(intensity) + "; it must be finite and not negative";
+    }
+    if (!wrong.empty())
+    {
+      return Fail(VTK_WATER_BAD_VALUE, wrong);
     }
     vtkNew<vtkLight> light;
     light->SetLightTypeToSceneLight();
@@ -189,7 +197,7 @@ vtk_water_status vtk_water_scene_add_mesh(vtk_water_scene* scene, const double* 
     }
     const std::string wrong = IsColor(color)
       ? DescribeBadMesh(points, point_count, triangles, triangle_count)
-      : "red, green and blue must lie in [0, 1]";
+      : DescribeBadColor("color", color);
     if (!wrong.empty())
     {
       return Fail(VTK_WATER_BAD_VALUE, wrong);
@@ -231,13 +239,25 @@ vtk_water_status vtk_water_scene_set_camera(vtk_water_scene* scene, const double
     const double angleToUp = vtkMath::AngleBetweenVectors(view, up);
     const bool isTurned =
       angleToUp > kSmallestAngleToUp && angleToUp < vtkMath::Pi() - kSmallestAngleToUp;
-    if (!AreFinite(eye, 3) || !AreFinite(target, 3) || !AreFinite(up, 3) || isPoint || !isTurned ||
-      !(angle_deg >= 1.0 && angle_deg <= 170.0))
+    std::string wrong = DescribeBadPlace("eye", eye);
+    wrong = wrong.empty() ? DescribeBadPlace("target", target) : wrong;
+    wrong = wrong.empty() ? DescribeBadPlace("up", up) : wrong;
+    if (wrong.empty() && isPoint)
     {
-      return Fail(VTK_WATER_BAD_VALUE,
-        "eye, target and up must be finite, eye and target apart, up not zero nor along the view, "
-        "the angle (" +
-          std::to_string(angle_deg) + ") in [1, 170] degrees");
+      wrong = "eye and target are both " + TextOf(eye) + "; they must be apart";
+    }
+    if (wrong.empty() && !isTurned)
+    {
+      wrong =
+        "up is " + TextOf(up) + "; it must be neither zero nor along the view " + TextOf(view);
+    }
+    if (wrong.empty() && !(angle_deg >= 1.0 && angle_deg <= 170.0))
+    {
+      wrong = "angle is " + TextOf(angle_deg) + "; it must lie in [1, 170] degrees";
+    }
+    if (!wrong.empty())
+    {
+      return Fail(VTK_WATER_BAD_VALUE, wrong);
     }
     vtkCamera* camera = scene->Renderer->GetActiveCamera();
     camera->SetPosition(eye);

@@ -26,6 +26,8 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
+from .ply import missing_of
+
 __all__ = ["ELEVATION", "FileError", "KINDS", "Surface", "calm_around", "read", "surface_of_heights"]
 
 ELEVATION = "Elevation"  # the point array of a terrain: heights in the file's unit
@@ -268,6 +270,13 @@ def read_mesh(module, name, what):
     return read_it
 
 
+def read_ply(path, no_data):
+    missing = missing_of(path)
+    if missing:
+        raise FileError(f"{path}: not a PLY mesh: {missing}")
+    return read_mesh("vtkIOPLY", "vtkPLYReader", "a PLY mesh")(path, no_data)
+
+
 def check_cells(data, path):
     """Raise FileError for wrong cells: readers accept any, and filters crash on them."""
     wrong = wrong_cell_of(data)
@@ -300,7 +309,7 @@ def wrong_cell_of(data):
     if data.IsA("vtkPolyData"):
         arrays = [data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()]
     elif data.IsA("vtkUnstructuredGrid"):
-        arrays = [data.GetCells()]
+        arrays = [data.GetCells()] if data.GetCells() else []  # none if the file has no types of cells
     else:
         return ""
     first = 0
@@ -458,5 +467,5 @@ KINDS = {
     ".vtk": read_mesh("vtkIOLegacy", "vtkDataSetReader", "a VTK data set (.vtk)"),
     ".stl": read_mesh("vtkIOGeometry", "vtkSTLReader", "an STL mesh"),
     ".obj": read_mesh("vtkIOGeometry", "vtkOBJReader", "an OBJ mesh"),
-    ".ply": read_mesh("vtkIOPLY", "vtkPLYReader", "a PLY mesh"),
+    ".ply": read_ply,
 }

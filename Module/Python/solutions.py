@@ -204,8 +204,9 @@ class Solution:
         for name in self._arrays:
             array = array_of(mesh, name)
             if array is None:
-                raise FileError(f"{self.path}: there is no array '{name}'"
-                                f"{self._of_step(i)}; arrays are: {names_of(mesh)}{self._source.hint}")
+                wrong = f"the array '{name}' has texts" if is_text(mesh, name) else f"there is no array '{name}'"
+                raise FileError(f"{self.path}: {wrong}{self._of_step(i)}; arrays are: "
+                                f"{names_of(mesh)}{self._source.hint}")
             of_cells = mesh.GetPointData().GetArray(name) is None
             factor = self.factor_of(name)
             if factor != 1.0:
@@ -280,11 +281,16 @@ def odd_units(solution, names):
             f"{', '.join(METRES)}" for name, unit in units.items() if unit and unit.lower() not in METRES]
 
 
+def is_text(mesh, name):
+    """Whether an array of this name has texts in place of numbers."""
+    return any(data.GetAbstractArray(name) is not None for data in (mesh.GetPointData(), mesh.GetCellData()))
+
+
 def names_of(mesh):
-    """Names of all arrays, for an error."""
+    """Names of all arrays of numbers, for an error."""
     names = [f"{data.GetArrayName(i)} ({what})"
              for data, what in ((mesh.GetPointData(), "points"), (mesh.GetCellData(), "cells"))
-             for i in range(data.GetNumberOfArrays())]
+             for i in range(data.GetNumberOfArrays()) if data.GetArray(i) is not None]
     return ", ".join(names) or "none"
 
 

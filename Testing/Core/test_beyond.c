@@ -113,6 +113,13 @@ TEST(a_low_eye_looks_down_by_less_than_thirty_degrees)
   const double eye[3] = { 0.0, 0.0, 1.0 };
   const double ahead[3] = { 1.0, 0.0, 0.0 };
   assert_false(water_beyond_is_low(&none, eye, ahead));
+  // an eye on the plane is not above it, and exactly 30 degrees are not less
+  const water_plane level = { { 0.0, 0.0, 1.0 }, 0.0 };
+  const double on_it[3] = { 3.0, 4.0, 0.0 };
+  const double thirty[3] = { sqrt(0.75), 0.0, -0.5 };
+  assert_true(water_beyond_is_low(&level, eye, ahead));
+  assert_false(water_beyond_is_low(&level, on_it, ahead));
+  assert_false(water_beyond_is_low(&level, eye, thirty));
 }
 
 // Beside a tile as much is drawn as beside the picture that it is a tile of.
@@ -397,15 +404,16 @@ TEST(plumb_lines_reach_to_where_they_vanish)
 {
   static const double inf = (double)INFINITY;
   // y and w of the direction up in clip space; low and high y of the water; of what is reached
-  static const double rows[8][6] = { { 0.25, -0.5, -0.25, 0.5, -0.5, 0.5 }, // vanish under it
-    { 0.25, -0.5, -0.75, -0.625, -0.75, -0.5 },                             // over it
-    { 0.25, -0.5, -0.75, 0.5, -0.75, 0.5 },                                 // in it
-    { 0.5, 1.0, 0.25, 0.75, -inf, inf },                                    // from in it
-    { 0.5, 1.0, -0.5, 0.25, -inf, 0.25 },                                   // from over it
-    { 0.5, 1.0, 0.625, 0.75, 0.625, inf },                                  // from under it
-    { 0.5, 1.0, 0.25, 0.5, -inf, 0.5 },                                     // from its upper end
-    { 0.5, 0.0, -0.5, 0.25, -inf, 0.25 } };                                 // nowhere: all go down
-  for (int i = 0; i < 8; ++i)
+  static const double rows[9][6] = { { 0.0, 0.0, -0.5, 0.25, -0.5, 0.25 }, // points to the eye
+    { 0.25, -0.5, -0.25, 0.5, -0.5, 0.5 },                                 // vanish under it
+    { 0.25, -0.5, -0.75, -0.625, -0.75, -0.5 },                            // over it
+    { 0.25, -0.5, -0.75, 0.5, -0.75, 0.5 },                                // in it
+    { 0.5, 1.0, 0.25, 0.75, -inf, inf },                                   // from in it
+    { 0.5, 1.0, -0.5, 0.25, -inf, 0.25 },                                  // from over it
+    { 0.5, 1.0, 0.625, 0.75, 0.625, inf },                                 // from under it
+    { 0.5, 1.0, 0.25, 0.5, -inf, 0.5 },                                    // from its upper end
+    { 0.5, 0.0, -0.5, 0.25, -inf, 0.25 } };                                // nowhere: all go down
+  for (int i = 0; i < 9; ++i)
   {
     double dir_to_eye[12] = { 0.0 };
     dir_to_eye[5] = rows[i][0];

@@ -287,7 +287,43 @@ TEST(a_second_is_a_still_picture)
   assert_false(water_quality_is_still(999.0));
 }
 
-TESTS(waits_are_as_promised, frames_of_just_the_budget_count_for_nothing, no_measurement_no_change,
+static double time_of(int step)
+{
+  water_quality quality;
+  water_quality_of_step(step, &quality);
+  return quality.texture_scale * quality.texture_scale;
+}
+
+// A step at which the budget would be kept to the last digit is coarse enough.
+TEST(a_step_of_just_the_budget_is_taken)
+{
+  water_quality_state control = { 0 };
+  const double just = 16.0 * time_of(1) / time_of(0);
+  for (int frames = 0; control.step == 0 && frames < 100; ++frames)
+  {
+    assert_int_equal(water_quality_for_budget(&control, 0, just, 16.0), WATER_OK);
+  }
+  assert_int_equal(control.step, 1);
+}
+
+// A finer step is taken when what is left adds up to 8 budgets: 16 times a half.
+TEST(eight_budgets_are_enough_for_a_finer_step)
+{
+  const double measured_ms = 4.0;
+  const double finer_ms = measured_ms * time_of(1) / time_of(2);
+  const double budget_ms = finer_ms / 0.3;
+  ASSERT_CLOSE(0.8 - finer_ms / budget_ms, 0.5, 0.0);
+  water_quality_state control = { 0 };
+  control.step = 2;
+  for (int frame = 1; frame <= 16; ++frame)
+  {
+    assert_int_equal(water_quality_for_budget(&control, 0, budget_ms, measured_ms), WATER_OK);
+    assert_int_equal(control.step, frame < 16 ? 2 : 1);
+  }
+}
+
+TESTS(a_step_of_just_the_budget_is_taken, eight_budgets_are_enough_for_a_finer_step,
+  waits_are_as_promised, frames_of_just_the_budget_count_for_nothing, no_measurement_no_change,
   finest_step_is_kept, step_from_beyond_is_no_failure, fixed_share_is_learned_from_a_change,
   fixed_share_has_its_limits, fixed_share_is_believed,
   patience_grows_with_failures_and_is_forgotten, budget_is_shared_by_area,

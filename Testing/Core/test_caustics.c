@@ -3,6 +3,8 @@
 // followed from all of the surface that lights what the eye sees.
 #include "test_scene.h"
 
+#include <stdlib.h>
+
 #include "water_caustics.h"
 #include "water_caustics_plan.h"
 #include "water_medium.h"
@@ -60,6 +62,42 @@ TEST(turn_is_that_of_small_slopes)
   ASSERT_CLOSE(turn[0], 1.0 - 1.0 / 1.333, 1e-6);
   ASSERT_CLOSE(turn[1], 0.0, 1e-9);
   ASSERT_CLOSE(turn[2], 1.0 - 1.0 / 1.333, 1e-6);
+}
+
+// Under a slanting sun they turn it by what Snell's law says: the symmetric part of the changes of
+// both ways aside with both slopes.
+TEST(turn_is_the_change_of_the_refracted_way)
+{
+  const double step = 1e-4;
+  for (int azimuth = 25; azimuth < 360; azimuth += 55)
+  {
+    double sun_dir[3];
+    double turn[3];
+    double change[2][2];
+    sun_at(40.0, azimuth, sun_dir);
+    water_caustics_turn(sun_dir, 1.333, turn);
+    const double dir[3] = { -sun_dir[0], -sun_dir[1], -sun_dir[2] };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      double aside[2][2];
+      for (int side = 0; side < 2; ++side)
+      {
+        double normal[3] = { 0.0, 0.0, 1.0 };
+        double refracted[3];
+        normal[axis] = side == 0 ? step : -step;
+        normalise(normal);
+        assert_int_equal(water_medium_refract(dir, normal, 1.333, refracted), WATER_OK);
+        aside[side][0] = -refracted[0] / refracted[2];
+        aside[side][1] = -refracted[1] / refracted[2];
+      }
+      change[0][axis] = 0.5 * (aside[1][0] - aside[0][0]) / step;
+      change[1][axis] = 0.5 * (aside[1][1] - aside[0][1]) / step;
+    }
+    ASSERT_CLOSE(turn[0], change[0][0], 1e-6);
+    ASSERT_CLOSE(turn[1], 0.5 * (change[0][1] + change[1][0]), 1e-6);
+    ASSERT_CLOSE(turn[2], change[1][1], 1e-6);
+    assert_true(fabs(turn[1]) > 1e-3);
+  }
 }
 
 // The sun's disc spreads as rays of it do, refracted one by one.
@@ -145,6 +183,25 @@ TEST(adding_keeps_the_light)
     sum_all += sum / 200.0;
   }
   ASSERT_CLOSE(sum_all, 1.0, 0.01);
+}
+
+// Photons of a list give what each gives, with its own place and shape.
+TEST(several_photons_add_up)
+{
+  const int texture_px[2] = { 4, 4 };
+  const float places[12] = { 1.0f, 1.0f, 1.0f, 0.0f, 3.0f, 1.5f, 2.0f, 0.0f, 2.0f, 3.0f, 0.5f,
+    0.0f };
+  const float shapes[12] = { 0.5f, 0.1f, 0.25f, 0.0f, 1.0f, 0.0f, 0.5f, 0.0f, 0.125f, -0.0625f,
+    0.5f, 0.0f };
+  float together[16] = { 0.0f };
+  float alone[16] = { 0.0f };
+  water_caustics_add(places, shapes, 3, texture_px, together);
+  for (int i = 0; i < 3; ++i)
+  {
+    water_caustics_add(places + 4 * i, shapes + 4 * i, 1, texture_px, alone);
+  }
+  assert_memory_equal(together, alone, sizeof alone);
+  assert_true(alone[0] > 0.1f && alone[10] > 0.1f);
 }
 
 // Photons beyond the texture's border give it what reaches in, and write nowhere else.
@@ -380,10 +437,10 @@ TEST(photons_without_an_area_give_nothing)
 {
   const int texture_px[2] = { 4, 4 };
   const float place[4] = { 2.0f, 2.0f, 1.0f, 0.0f };
-  const float shapes[3][4] = { { 0.0f, 0.0f, 0.0f, 0.0f }, { 1.0f, 2.0f, 1.0f, 0.0f },
-    { 0.1f, NAN, 0.1f, 0.0f } };
+  const float shapes[4][4] = { { 0.0f, 0.0f, 0.0f, 0.0f }, { 1.0f, 2.0f, 1.0f, 0.0f },
+    { 0.1f, NAN, 0.1f, 0.0f }, { 0.125f, 0.125f, 0.125f, 0.0f } }; // the last: a line
   float light[16] = { 0.0f };
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 4; ++i)
   {
     water_caustics_add(place, shapes[i], 1, texture_px, light);
   }
@@ -407,7 +464,78 @@ TEST(pixels_that_look_up_need_no_light)
   assert_true(half.texture_px[0] * half.texture_px[1] < all.texture_px[0] * all.texture_px[1]);
 }
 
-TESTS(light_from_under_the_horizon_leads_nowhere, photons_without_an_area_give_nothing,
+// A slanting photon gives each texel the cube of 1 less the square of its distance, by its own
+// shape, up to the texture's border.
+TEST(a_photon_gives_by_its_shape)
+{
+  const int texture_px[2] = { 4, 4 };
+  const float place[4] = { 2.0f, 2.0f, 2.0f, 0.0f };
+  const float shape[4] = { 0.125f, 0.0625f, 0.25f, 0.0f };
+  float light[16] = { 0.0f };
+  water_caustics_add(place, shape, 1, texture_px, light);
+  for (int i = 0; i < 16; ++i)
+  {
+    const double dx = i % 4 - 1.5;
+    const double dy = i / 4 - 1.5;
+    const double within = fmax(1.0 - 0.125 * dx * dx - 0.125 * dx * dy - 0.25 * dy * dy, 0.0);
+    ASSERT_CLOSE((double)light[i], 2.0 * within * within * within, 1e-6);
+  }
+}
+
+// Light that runs along the water after its refraction reaches no bed.
+TEST(light_that_stays_level_reaches_no_bed)
+{
+  const double level[3] = { 1.0, 0.0, 0.0 };
+  const double slope[2] = { -0.75, 0.0 }; // towards the light; an index of 1 bends nothing
+  double way[2] = { 5.0, 5.0 };
+  assert_false(water_caustics_way(level, slope, 1.0, way));
+  ASSERT_CLOSE(way[0], 5.0, 0.0);
+}
+
+// An eye just as high as its dome port is wide sees the bed as any other eye; under that height,
+// along straight rays, and its light is followed deeper.
+TEST(a_port_that_touches_the_water_is_not_in_it)
+{
+  water_scene scene = pool(30.0); // from 10 over the water
+  water_cull_reason reasons[8];
+  water_plan plan = plan_over_bed(&scene, reasons);
+  plan.bed_depth = 1000.0;
+  water_caustics_input input = usual;
+  input.extinction = 1e-9;
+  double depths[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    input.port_radius = 9.0 + i;
+    water_caustics made;
+    assert_true(water_caustics_plan(&plan, &input, &made));
+    depths[i] = made.depth;
+  }
+  ASSERT_CLOSE(depths[1], depths[0], 0.0);
+  ASSERT_CLOSE(depths[2], 1000.0, 0.0);
+  assert_true(depths[1] < 1000.0);
+}
+
+// Photons beside a texture of one texel write nowhere else.
+TEST(a_texture_may_have_one_texel)
+{
+  const int texture_px[2] = { 1, 1 };
+  const float shape[4] = { 0.25f, 0.0f, 0.25f, 0.0f };
+  float* light = calloc(1, sizeof *light); // sanitizers see who writes on
+  assert_non_null(light);
+  for (int i = 0; i < 9; ++i)
+  {
+    const float place[4] = { 10.5f * (float)(i % 3 - 1) + 0.5f, 10.5f * (float)(i / 3 - 1) + 0.5f,
+      1.0f, 0.0f };
+    water_caustics_add(place, shape, 1, texture_px, light);
+  }
+  ASSERT_CLOSE((double)*light, 1.0, 1e-6);
+  free(light);
+}
+
+TESTS(turn_is_the_change_of_the_refracted_way, several_photons_add_up,
+  a_port_that_touches_the_water_is_not_in_it, a_texture_may_have_one_texel,
+  a_photon_gives_by_its_shape, light_that_stays_level_reaches_no_bed,
+  light_from_under_the_horizon_leads_nowhere, photons_without_an_area_give_nothing,
   pixels_that_look_up_need_no_light, parallel_eyes_have_caustics_everywhere, way_is_snells,
   no_light_comes_from_behind, turn_is_that_of_small_slopes, spread_is_that_of_rays_of_the_disc,
   adding_keeps_the_light, photons_outside_stay_outside, places_come_to_their_texels,

@@ -48,6 +48,10 @@ TEST(what_is_seen_is_kept_in_its_order)
     const size_t count =
       selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     assert_int_equal(count % 3, 0);
+    for (size_t i = 0; i < PIECES; ++i) // what is not seen has no distance
+    {
+      assert_true(terrain->work[i].triangles != 0 || terrain->work[i].distance == 0.0f);
+    }
     drawn_sum += count / 3;
     assert_true(is_in_order(terrain, count, is_drawn)); // all that was drawn was found
     for (size_t i = 0; i < TRIANGLES; ++i)

@@ -27,6 +27,12 @@ TEST(encoding_is_the_standards)
   }
 }
 
+TEST(the_straight_part_of_the_encoding_has_its_end)
+{
+  ASSERT_CLOSE(water_display_decode(0.04045), 0.04045 / 12.92, 1e-13);
+  ASSERT_CLOSE(water_display_encode(0.0031308), 0.0031308 * 12.92, 1e-13);
+}
+
 TEST(values_outside_are_clamped)
 {
   ASSERT_CLOSE(water_display_encode(-1.0), 0.0, 0.0);
@@ -175,7 +181,7 @@ TEST(foam_is_lit_by_the_daylight)
   }
 }
 
-TESTS(foam_is_lit_by_the_daylight, lights_that_do_not_shine_add_nothing, encoding_is_the_standards,
-  values_outside_are_clamped, lights_add_by_lamberts_law, lights_that_are_none_add_nothing,
-  sky_adds_the_mean_of_its_light, deep_color_is_what_comes_back, waters_are_not_black_under_the_sky,
-  plan_has_the_scenes_daylight)
+TESTS(the_straight_part_of_the_encoding_has_its_end, foam_is_lit_by_the_daylight,
+  lights_that_do_not_shine_add_nothing, encoding_is_the_standards, values_outside_are_clamped,
+  lights_add_by_lamberts_law, lights_that_are_none_add_nothing, sky_adds_the_mean_of_its_light,
+  deep_color_is_what_comes_back, waters_are_not_black_under_the_sky, plan_has_the_scenes_daylight)

@@ -402,7 +402,24 @@ TEST(points_are_added_at_once)
   }
 }
 
-TESTS(limits_are_those_of_the_mesh, heights_at_the_limits, limit_of_the_nearest_water,
-  points_of_the_plane_have_no_height_but_their_rounding, inspections_are_joined,
-  high_points_end_the_search, without_bounds_or_with_a_projection_there_are_no_heights,
+// Points count up to the largest double, one by one and together.
+TEST(points_count_up_to_the_largest_number)
+{
+  const water_plane unit = { { 0.0, 0.0, 1.0 }, 0.0 };
+  const double same[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  const double bounds[6] = { 0.0, 1.0, 0.0, 1.0, -1.0, 1.0 };
+  const double point[3] = { 0.0, 0.0, DBL_MAX };
+  water_flatness one;
+  water_flatness all;
+  assert_true(water_flatness_begin(&unit, same, bounds, false, &one));
+  all = one;
+  assert_false(water_flatness_add(point, &one));
+  water_flatness_add_points(point, 1, &all);
+  assert_true(isinf(one.height_max) && isinf(all.height_max));
+}
+
+TESTS(points_count_up_to_the_largest_number, limits_are_those_of_the_mesh, heights_at_the_limits,
+  limit_of_the_nearest_water, points_of_the_plane_have_no_height_but_their_rounding,
+  inspections_are_joined, high_points_end_the_search,
+  without_bounds_or_with_a_projection_there_are_no_heights,
   heights_that_are_seen_are_not_taken_as_flat, vertices_know_their_height, points_are_added_at_once)

@@ -64,7 +64,24 @@ TEST(values_that_are_no_measure_count_as_0)
   ASSERT_CLOSE(water_foam_measure_value(WATER_FOAM_COVER, 3.0), 1.0, 0.0);
   ASSERT_CLOSE(
     water_foam_measure_value(WATER_FOAM_COVER, 1.0 + 1e-7), 1.0 + 1e-7, 0.0); // a rounding
+  ASSERT_CLOSE(water_foam_measure_value(WATER_FOAM_COVER, 1.0 + 1e-6), 1.0 + 1e-6, 0.0);
+  ASSERT_CLOSE(water_foam_measure_value(WATER_FOAM_COVER, 1.0 + 2e-6), 1.0, 0.0);
   ASSERT_CLOSE(water_foam_measure_value(WATER_FOAM_FROUDE_NUMBER, 3.0), 3.0, 0.0);
+}
+
+// What is none of the measures has the ends of a cover.
+TEST(other_measures_are_covers)
+{
+  double cover[2];
+  water_foam_measure_ends(WATER_FOAM_COVER, cover);
+  const int others[2] = { WATER_FOAM_MEASURE_COUNT, -1 };
+  for (int i = 0; i < 2; ++i)
+  {
+    double ends[2] = { 7.0, 7.0 };
+    water_foam_measure_ends((water_foam_measure)others[i], ends);
+    ASSERT_CLOSE(ends[0], cover[0], 0.0);
+    ASSERT_CLOSE(ends[1], cover[1], 0.0);
+  }
 }
 
 // Each measure has a name of its own, which finds it.
@@ -85,5 +102,5 @@ TEST(names_find_their_measures)
   ASSERT_CLOSE(ends[1], 1.0, 0.0);
 }
 
-TESTS(a_cover_is_the_cover, foam_begins_where_the_sources_say,
+TESTS(other_measures_are_covers, a_cover_is_the_cover, foam_begins_where_the_sources_say,
   values_that_are_no_measure_count_as_0, names_find_their_measures)

@@ -309,6 +309,30 @@ TEST(rows_seen_straight_down_are_where_they_should_be)
   }
 }
 
+// Seen straight down a sheet without an end is laid as one that just fills the picture.
+TEST(endless_rows_seen_straight_down_fill_the_picture)
+{
+  static laid grid;
+  static laid endless;
+  const double sheet[4] = { -10.0, 10.0, -10.0, 10.0 };
+  random_scene random;
+  memset(&random, 0, sizeof random);
+  random.scene = pool(10.0); // from 10 above, 45 degrees to each side
+  const water_grid_view view = view_of(&random);
+  assert_true(
+    water_grid_lay(&view, sheet, 0.0, 0.0, GRID, grid.points[0], grid.cells[0], grid.row_dir));
+  assert_true(water_grid_lay(
+    &view, NULL, 0.0, 0.0, GRID, endless.points[0], endless.cells[0], endless.row_dir));
+  for (int i = 0; i < SIDE * SIDE; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      ASSERT_CLOSE(endless.points[i][k], grid.points[i][k], 1e-6);
+    }
+    ASSERT_CLOSE((double)endless.cells[i][0], (double)grid.cells[i][0], 1e-6);
+  }
+}
+
 // Straight down, a sheet out of view, an eye in the plane, a plane that is none.
 TEST(odd_views_are_safe)
 {
@@ -424,8 +448,8 @@ TEST(endless_grid_covers_calm_parallel_views)
   }
 }
 
-TESTS(endless_grid_covers_calm_parallel_views, endless_grid_covers_parallel_views,
-  grid_covers_what_can_come_into_view, grid_is_ordered_and_on_the_sheet,
-  cells_are_as_large_as_they_say, rows_lead_where_the_view_goes,
+TESTS(endless_rows_seen_straight_down_fill_the_picture, endless_grid_covers_calm_parallel_views,
+  endless_grid_covers_parallel_views, grid_covers_what_can_come_into_view,
+  grid_is_ordered_and_on_the_sheet, cells_are_as_large_as_they_say, rows_lead_where_the_view_goes,
   view_leads_from_clip_to_places_and_back, grid_knows_the_height_of_a_moved_eye,
   rows_seen_straight_down_are_where_they_should_be, odd_views_are_safe)

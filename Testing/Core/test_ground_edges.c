@@ -238,11 +238,11 @@ TEST(things_without_a_relief_hide_corners)
 // A block is a column by all of its rows and columns, and by its whole sides.
 TEST(columns_are_judged_as_a_whole)
 {
-  for (int kind = 0; kind < 4; ++kind)
+  for (int kind = 0; kind < 5; ++kind)
   {
     water_footprint thing = empty_footprint();
     // the shorter side is 10 cells of 1/32: 0.3125, and a column is over 0.15625 high
-    const double top = kind == 3 ? 0.14 : 6.0;
+    const double top = kind == 3 ? 0.14 : (kind == 4 ? 0.15625 : 6.0);
     for (int i = 0; i < 100; ++i)
     {
       const int x = 10 + i % 10;
@@ -271,7 +271,35 @@ TEST(samples_are_two_sides_in_cells)
   assert_int_equal(water_ground_across(&ground, corners), 16); // of a side without a length: 1
 }
 
-TESTS(cells_count_for_the_places_near_them, beds_cover_three_quarters,
+// A cell whose middle is exactly as far away as that counts, along either axis.
+TEST(a_cell_at_the_limit_is_near)
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    // cells of 1 along the axis; 0.04 of the diagonal is 4.5, as far as the middle of the fifth
+    double bounds[6] = { 0.0, 64.0, 0.0, 64.0, -1.0, 1.0 };
+    bounds[3 - 2 * axis] = sqrt(112.5 * 112.5 - 64.0 * 64.0);
+    water_ground ground;
+    assert_int_equal(water_ground_begin(&plane, bounds, &ground), WATER_OK);
+    ASSERT_CLOSE(ground.near, 4.5, 0.0);
+    for (int far = 4; far <= 5; ++far)
+    {
+      water_ground lit = ground;
+      water_footprint thing = empty_footprint();
+      water_footprint_add(axis == 0 ? far : 0, axis == 0 ? 0 : far, 0.5, &thing);
+      assert_true(water_ground_add_thing(&thing, NULL, &lit));
+      assert_int_equal(isfinite(lit.spread[0]), far == 4);
+    }
+    // as far from its side as from the nearest place of that side
+    water_ground lit = ground;
+    water_footprint thing = empty_footprint();
+    water_footprint_add(axis == 0 ? 4 : 16, axis == 0 ? 48 : 4, 0.5, &thing);
+    assert_true(water_ground_add_thing(&thing, NULL, &lit));
+    assert_true(isfinite(lit.spread[axis == 0 ? 13 : 1]));
+  }
+}
+
+TESTS(a_cell_at_the_limit_is_near, cells_count_for_the_places_near_them, beds_cover_three_quarters,
   thirteen_places_and_six_lines, flat_beds_on_their_limits, corners_see_two_cells_each_way,
   corners_at_the_level_are_wet, things_without_a_relief_hide_corners, columns_are_judged_as_a_whole,
   samples_are_two_sides_in_cells)

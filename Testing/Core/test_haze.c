@@ -291,8 +291,33 @@ TEST(particles_scatter_the_skys_light_by_their_phase)
   }
 }
 
-TESTS(particles_scatter_the_skys_light_by_their_phase,
-  molecules_scatter_the_skys_light_to_all_sides,
+// Without daylight, water dims as under the sky alone; water that scatters nothing itself has its
+// colour from particles.
+TEST(haze_without_light_or_scattering_has_its_kinds)
+{
+  water_haze_input dark = tropical(60.0);
+  water_haze_input cloudy = tropical(60.0);
+  water_haze_input clear = tropical(60.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    dark.daylight[i] = 0.0;
+    cloudy.sun_color[i] = 0.0;
+    clear.medium.scattering[i] = 0.0;
+  }
+  water_haze found[3];
+  water_haze_find(&dark, &found[0]);
+  water_haze_find(&cloudy, &found[1]);
+  water_haze_find(&clear, &found[2]);
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(found[0].diffuse[i], found[1].diffuse[i], 0.0);
+    assert_true(found[2].particles[i] > 0.0);
+    ASSERT_CLOSE(found[2].molecules[i], 0.0, 0.0);
+  }
+}
+
+TESTS(haze_without_light_or_scattering_has_its_kinds,
+  particles_scatter_the_skys_light_by_their_phase, molecules_scatter_the_skys_light_to_all_sides,
   haze_begins_at_the_surface_and_grows_with_the_depth, phases_are_of_all_backward_light,
   integral_is_closed_and_keeps_its_digits, over_is_the_integral, over_has_its_limits,
   straight_down_is_the_deep_color, daylight_falls_off_as_gordon_says, no_light_is_black,

@@ -380,121 +380,6 @@ TEST(places_without_values_tell_nothing)
   assert_true(water_heights_judge(empty.level, NULL, empty.bed, COUNT).wrong == WATER_HEIGHT_NONE);
 }
 
-// Faces of a slope, of 4 corners each: dry ones with their own bed as the level, and a shore.
-static water_heights_faces faces_of(size_t dry, size_t shore, double rough)
-{
-  water_heights_faces faces = { 0 };
-  for (size_t i = 0; i < dry + shore; ++i)
-  {
-    const double x = i < dry ? 0.1 * (double)i : 0.0;
-    const double beds[4] = { x, x + 1.0, x + 1.0, x };
-    const double share = fmod(0.61803 * (double)i, 1.0);
-    const double level = i < dry ? x + 0.5 + rough * (share - 0.5) : 0.01 + 0.98 * share;
-    water_heights_add_face(level, beds, 4, 0.001, &faces);
-  }
-  return faces;
-}
-
-TEST(levels_of_dry_faces_are_found)
-{
-  const water_heights_faces land = faces_of(300, 100, 0.1);
-  assert_true(land.cut == 400 && land.at_bed >= 300);
-  assert_true(water_heights_are_beds(&land));
-}
-
-// Nor on land that is too rough for the mean of its corners to be its bed.
-TEST(a_shore_is_no_dry_land)
-{
-  const water_heights_faces shore = faces_of(0, 400, 0.0);
-  assert_true(shore.cut == 400 && shore.at_bed > 60 && shore.at_bed < 100);
-  assert_true(!water_heights_are_beds(&shore));
-  const water_heights_faces rough = faces_of(300, 0, 0.9);
-  assert_true(!water_heights_are_beds(&rough));
-}
-
-// A level that is exactly the mean of the corners is dry already.
-TEST(dry_faces_that_are_not_shown_are_no_matter)
-{
-  const water_heights_faces land = faces_of(300, 0, 0.0);
-  assert_true(land.at_bed == 300 && land.wet == 0);
-  assert_true(!water_heights_are_beds(&land));
-}
-
-// A level lake in a regular grid, whose shore is in the middle of its faces.
-TEST(a_level_shore_is_no_dry_land)
-{
-  water_heights_faces faces = { 0 };
-  for (int i = 0; i < 100; ++i)
-  {
-    const double beds[4] = { 0.0, 1.0, 1.0, 0.0 };
-    water_heights_add_face(0.55, beds, 4, 0.001, &faces);
-  }
-  assert_true(faces.cut == 100 && faces.at_bed == 100);
-  assert_true(!water_heights_are_beds(&faces));
-}
-
-TEST(a_few_faces_and_those_without_values_tell_nothing)
-{
-  const water_heights_faces few = faces_of(19, 0, 0.1);
-  const water_heights_faces enough = faces_of(80, 0, 0.1);
-  assert_true(few.cut == 19 && !water_heights_are_beds(&few));
-  assert_true(water_heights_are_beds(&enough));
-  for (int wet = 9; wet < 11; ++wet) // of 80 whose level is their bed
-  {
-    water_heights_faces film = { 0 };
-    for (int i = 0; i < 80; ++i)
-    {
-      const double beds[2] = { 1.0 * i, 1.0 * i + 1.0 };
-      water_heights_add_face(i + 0.5 + (i < wet ? 0.01 : 0.0), beds, 2, 0.001, &film);
-    }
-    assert_true(water_heights_are_beds(&film) == (wet == 10));
-  }
-  water_heights_faces none = { 0 };
-  const double beds[3] = { 0.0, 1.0, (double)NAN };
-  water_heights_add_face(0.5, beds, 3, 0.0, &none);
-  water_heights_add_face(0.5, beds, 0, 0.0, &none);
-  water_heights_add_face((double)NAN, beds, 2, 0.0, &none);
-  water_heights_add_face(0.0, beds, 2, 0.0, &none);
-  water_heights_add_face(1.0, beds, 2, 0.0, &none);
-  assert_true(none.cut == 0 && !water_heights_are_beds(&none));
-}
-
-// Faces of a relief of 1 whose level is their bed's mean, from low to high; the others are cut well
-// over it.
-static water_heights_faces films(int at_bed, int others, double low, double high)
-{
-  water_heights_faces faces = { 0 };
-  for (int i = 0; i < at_bed + others; ++i)
-  {
-    const double mean = i < at_bed ? low + (high - low) * i / (at_bed - 1.0) : 0.0;
-    const double beds[2] = { mean - 0.5, mean + 0.5 };
-    water_heights_add_face(mean + (i < at_bed ? 0.01 : 0.4), beds, 2, 0.001, &faces);
-  }
-  return faces;
-}
-
-// Each limit by itself: more than half of the faces, 20 of them, levels over more than four
-// reliefs.
-TEST(limits_of_dry_faces_are_exact)
-{
-  const water_heights_faces half = films(40, 40, 0.0, 9.0);
-  const water_heights_faces more = films(41, 40, 0.0, 9.0);
-  assert_true(half.at_bed == 40 && half.cut == 80);
-  assert_false(water_heights_are_beds(&half));
-  assert_true(water_heights_are_beds(&more));
-  const water_heights_faces twenty = films(20, 0, -3.0, 3.0); // also about 0
-  assert_true(twenty.cut == 20 && water_heights_are_beds(&twenty));
-  water_heights_faces flat = { .cut = 64, .at_bed = 64, .wet = 64, .relief = 64.0, .high = 4.0 };
-  assert_false(water_heights_are_beds(&flat));
-  flat.high = 4.001;
-  assert_true(water_heights_are_beds(&flat));
-  water_heights_faces near = { 0 };
-  const double beds[2] = { 0.0, 10.0 };
-  water_heights_add_face(
-    6.0, beds, 2, 1.0, &near); // a tenth of the relief over the mean, and as deep as a dry place
-  assert_true(near.at_bed == 1 && near.wet == 0);
-}
-
 TEST(three_heights_must_agree_where_it_is_wet)
 {
   coast fine = coast_of(320.0, 400.0, 384.0, 0.1);
@@ -535,16 +420,178 @@ TEST(depths_that_are_negative_have_the_wrong_sign)
   assert_false(water_heights_are_negative(1.0, -1.0, 0.0)); // there are none
 }
 
-TESTS(limits_of_dry_faces_are_exact, heights_of_dry_land_agree,
-  a_flat_bed_at_a_hundredth_of_the_level_is_right, a_twentieth_under_the_land_tells_nothing,
-  depths_that_are_negative_have_the_wrong_sign, three_heights_must_agree_where_it_is_wet,
-  levels_of_dry_faces_are_found, dry_faces_that_are_not_shown_are_no_matter, a_shore_is_no_dry_land,
-  a_level_shore_is_no_dry_land, a_few_faces_and_those_without_values_tell_nothing,
-  places_without_values_tell_nothing, nine_places_are_too_few, flat_land_tells_nothing,
-  films_of_water_are_no_evidence, a_thousandth_of_the_depth_is_no_evidence,
-  dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
-  no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
-  the_height_in_another_unit_is_found, a_flat_tank_has_no_wrong_unit,
-  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
-  a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
-  two_heights_are_needed)
+// Levels tell of another unit if they are over the land by more than three times its relief.
+TEST(three_reliefs_over_the_land_tell_nothing)
+{
+  double level[40];
+  double bed[40];
+  for (int over = 0; over < 2; ++over)
+  {
+    for (int i = 0; i < 40; ++i)
+    {
+      bed[i] = i % 2 == 0 ? 400.0 : 700.0;
+      level[i] = 700.0 + 3.0 * 300.0 + over; // feet of 488 m
+    }
+    assert_wrong(water_heights_judge(level, NULL, bed, 40),
+      over ? WATER_HEIGHT_LEVEL : WATER_HEIGHT_NONE, over ? 1.0 / 0.3048 : 0.0);
+  }
+}
+
+// A sea whose level is the same everywhere: heights under a thousandth of it, in its unit, are no
+// evidence, as in other water.
+TEST(an_even_level_has_a_size)
+{
+  double level[12];
+  double depth[12];
+  double bed[12];
+  for (int i = 0; i < 12; ++i)
+  {
+    level[i] = 1000.0;
+    depth[i] = 5.0;
+    bed[i] = i < 10 ? 5.0 : -4.995;
+  }
+  assert_wrong(water_heights_judge(level, depth, bed, 12), WATER_HEIGHT_LEVEL, 100.0);
+}
+
+// A height may be off by two thousandths of what it should be, and no more.
+TEST(two_thousandths_are_rounding)
+{
+  for (int off = 0; off < 2; ++off)
+  {
+    double level[10];
+    double depth[10];
+    double bed[10];
+    for (int i = 0; i < 10; ++i)
+    {
+      level[i] = off ? 1002.001 : 1002.0;
+      depth[i] = bed[i] = 5.0;
+    }
+    assert_wrong(water_heights_judge(level, depth, bed, 10),
+      off ? WATER_HEIGHT_NONE : WATER_HEIGHT_LEVEL, off ? 0.0 : 100.0);
+  }
+}
+
+// An explanation holds for more than nine tenths of the places.
+TEST(nine_tenths_are_too_few)
+{
+  for (int fits = 18; fits <= 19; ++fits)
+  {
+    double level[20];
+    double depth[20];
+    double bed[20];
+    for (int i = 0; i < 20; ++i)
+    {
+      depth[i] = bed[i] = 5.0;
+      level[i] = i < fits ? 1000.0 : 333.0;
+    }
+    assert_wrong(water_heights_judge(level, depth, bed, 20),
+      fits == 18 ? WATER_HEIGHT_NONE : WATER_HEIGHT_LEVEL, fits == 18 ? 0.0 : 100.0);
+  }
+}
+
+// Dry land counts where it is over a hundredth of the largest height, if it is a tenth of all
+// places and its relief is over a twentieth of it.
+TEST(limits_of_dry_land_are_exact)
+{
+  double level[101];
+  double bed[101];
+  for (int i = 0; i < 101; ++i) // ten dry places in centimetres, and sea
+  {
+    bed[i] = i < 10 ? 20.0 + i : -1000.0;
+    level[i] = i < 10 ? 100.0 * bed[i] : 0.0;
+  }
+  assert_wrong(water_heights_judge(level, NULL, bed, 100), WATER_HEIGHT_LEVEL, 100.0);
+  assert_wrong(water_heights_judge(level, NULL, bed, 101), WATER_HEIGHT_NONE, 0.0);
+  bed[0] = 10.0; // a hundredth
+  level[0] = 1000.0;
+  assert_wrong(water_heights_judge(level, NULL, bed, 100), WATER_HEIGHT_NONE, 0.0);
+  bed[0] = 10.01;
+  level[0] = 1001.0;
+  assert_wrong(water_heights_judge(level, NULL, bed, 100), WATER_HEIGHT_LEVEL, 100.0);
+  for (int i = 0; i < 20; ++i) // land of little relief, and sea
+  {
+    bed[i] = i < 5 ? 100.0 : (i < 10 ? 95.0 : -1000.0);
+    level[i] = i < 10 ? 100.0 * bed[i] : 0.0;
+  }
+  assert_wrong(water_heights_judge(level, NULL, bed, 20), WATER_HEIGHT_NONE, 0.0);
+  bed[9] = 94.9;
+  level[9] = 9490.0;
+  assert_wrong(water_heights_judge(level, NULL, bed, 20), WATER_HEIGHT_LEVEL, 100.0);
+}
+
+// Levels are far under the land if they are under twice its relief below its lowest place.
+TEST(two_reliefs_under_the_land_tell_nothing)
+{
+  for (int deep = 0; deep < 2; ++deep)
+  {
+    double level[20];
+    double bed[20];
+    for (int i = 0; i < 20; ++i)
+    {
+      bed[i] = i % 2 == 0 ? 0.0 : -10.0;
+      level[i] = i < 9 ? -100.0 - 3.0 * i : 0.0;
+    }
+    level[9] = deep ? -30.01 : -30.0;
+    assert_int_equal(water_heights_judge(level, NULL, bed, 20).wrong,
+      deep ? WATER_HEIGHT_LEVEL : WATER_HEIGHT_NONE);
+  }
+}
+
+// Land is high if its lowest place is higher than its relief; a level in another unit may be at its
+// lowest and at its highest place.
+TEST(limits_of_high_land_are_exact)
+{
+  double level[40];
+  double bed[40];
+  for (int relief = 399; relief <= 400; ++relief)
+  {
+    for (int i = 0; i < 40; ++i)
+    {
+      bed[i] = i % 2 == 0 ? 400.0 : 400.0 + relief;
+      level[i] = 2100.0; // feet of 640 m
+    }
+    assert_wrong(water_heights_judge(level, NULL, bed, 40),
+      relief == 399 ? WATER_HEIGHT_LEVEL : WATER_HEIGHT_NONE, relief == 399 ? 1.0 / 0.3048 : 0.0);
+  }
+  for (int i = 0; i < 40; ++i)
+  {
+    bed[i] = i % 2 == 0 ? 300.0 : 400.0;
+    level[i] = i % 2 == 0 ? 40000.0 : 30000.0;
+  }
+  assert_wrong(water_heights_judge(level, NULL, bed, 40), WATER_HEIGHT_LEVEL, 100.0);
+}
+
+// Depth and bed balance each other at ten wet places or more, and an even depth balances no even
+// bed.
+TEST(ten_wet_places_balance)
+{
+  double depth[10];
+  double bed[10];
+  for (int i = 0; i < 10; ++i)
+  {
+    bed[i] = -1.0 * i;
+    depth[i] = 100.0 * (1.0 - bed[i]);
+  }
+  assert_wrong(water_heights_judge(NULL, depth, bed, 10), WATER_HEIGHT_DEPTH, 100.0);
+  assert_wrong(water_heights_judge(NULL, depth, bed, 9), WATER_HEIGHT_NONE, 0.0);
+  for (int i = 0; i < 10; ++i)
+  {
+    bed[i] = 1.0;
+    depth[i] = 5.0;
+  }
+  assert_wrong(water_heights_judge(NULL, depth, bed, 10), WATER_HEIGHT_NONE, 0.0);
+}
+
+TESTS(an_even_level_has_a_size, two_thousandths_are_rounding, nine_tenths_are_too_few,
+  limits_of_dry_land_are_exact, two_reliefs_under_the_land_tell_nothing,
+  limits_of_high_land_are_exact, ten_wet_places_balance, three_reliefs_over_the_land_tell_nothing,
+  heights_of_dry_land_agree, a_flat_bed_at_a_hundredth_of_the_level_is_right,
+  a_twentieth_under_the_land_tells_nothing, depths_that_are_negative_have_the_wrong_sign,
+  three_heights_must_agree_where_it_is_wet, places_without_values_tell_nothing,
+  nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_evidence,
+  a_thousandth_of_the_depth_is_no_evidence, dry_places_tell_the_unit_of_a_level_of_0,
+  dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
+  marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
+  a_flat_tank_has_no_wrong_unit, dry_land_tells_the_unit_of_the_level,
+  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found,
+  depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine, two_heights_are_needed)

@@ -257,10 +257,57 @@ TEST(grid_reaches_to_the_horizon)
   }
 }
 
+// Rows of a grid without an end are even up to where waves are a thousandth of half the picture
+// high, but at least as far as the eye is high, from where the grid begins: there is a row, too.
+TEST(rows_are_even_where_waves_are_seen)
+{
+  static double points[(GRID + 1) * (GRID + 1)][3];
+  static float cells[(GRID + 1) * (GRID + 1)][2];
+  const double eye_height = 2.0;
+  const double heights[2] = { 0.0, 0.1 };
+  for (int i = 0; i < 2; ++i)
+  {
+    water_scene scene = shore(eye_height, -0.2);
+    set_depths(&scene, 0.01, 1e5);
+    water_grid_view view;
+    const double origin[3] = { 0.0, 0.0, 0.0 };
+    assert_int_equal(water_grid_view_make(&scene.eye, &scene.plane, origin, &view), WATER_OK);
+    double ahead[3] = { 0.0, 0.0, 0.0 };
+    assert_true(water_grid_lay(&view, NULL, heights[i], 0.0, GRID, points[0], cells[0], ahead));
+    double up_clip[4];
+    double ahead_clip[4];
+    double foot_clip[4];
+    const double up[3] = { 0.0, 0.0, 1.0 };
+    project(&scene.eye, up, 0.0, up_clip);
+    project(&scene.eye, ahead, 0.0, ahead_clip);
+    project(&scene.eye, origin, 1.0, foot_clip);
+    const double first = dot(points[0], ahead);
+    const double seen_w = heights[i] * hypot(up_clip[0], up_clip[1]) / 1e-3;
+    const double end =
+      i == 0 ? fmax(first, 0.0) + eye_height : (seen_w - foot_clip[3]) / ahead_clip[3];
+    assert_true(first > 0.1 && end > first + 1.0);
+    int at_end = 0;
+    double widest = 0.0; // in the measure by which rows are even
+    double last = 2.0 * first / (sqrt(eye_height + first) + sqrt(eye_height));
+    const double begun = last;
+    for (int row = 1; row <= GRID; ++row)
+    {
+      const double way = dot(points[row * (GRID + 1)], ahead);
+      const double even = 2.0 * way / (sqrt(eye_height + way) + sqrt(eye_height));
+      at_end += fabs(way - end) < 1e-9 * end;
+      widest = way < end * (1.0 + 1e-9) ? fmax(widest, even - last) : widest;
+      last = even;
+    }
+    const double whole = 2.0 * end / (sqrt(eye_height + end) + sqrt(eye_height)) - begun;
+    assert_true(at_end >= 1);
+    assert_true(widest < 1.001 * whole / (GRID + 1 - 13));
+  }
+}
+
 // Two points more put the middle of a grid's box under the eye.
 TEST(grid_is_balanced_about_the_eye)
 {
-  const water_scene scene = shore(2.0, -0.2);
+  const water_scene scene = lake(); // from over (0, -10)
   const double points[3][3] = { { 1.0, 7.0, 0.0 }, { -3.0, 2.0, 0.0 }, { 0.0, 0.0, 0.0 } };
   const double origin[3] = { 10.0, 20.0, 0.0 };
   water_grid_view view;
@@ -268,11 +315,10 @@ TEST(grid_is_balanced_about_the_eye)
   double corners[2][3];
   water_grid_balance(&view, points[0], 3, 1.0, corners[0]);
   water_grid_balance(&view, points[0], 3, -1.0, corners[1]);
-  const double expected[3] = { 3.0, 7.0, 0.0 };
-  for (int k = 0; k < 3; ++k)
+  const double expected[2][3] = { { 3.0, 7.0, 0.0 }, { -3.0, -27.0, 0.0 } };
+  for (int k = 0; k < 6; ++k)
   {
-    ASSERT_CLOSE(corners[0][k], expected[k], 1e-12);
-    ASSERT_CLOSE(corners[1][k], -expected[k], 1e-12);
+    ASSERT_CLOSE(corners[k / 3][k % 3], expected[k / 3][k % 3], 1e-12);
   }
 }
 
@@ -291,7 +337,8 @@ TEST(near_plane_stays_for_props_without_an_image)
   assert_memory_equal(&camera, &scene.eye, sizeof camera);
 }
 
-TESTS(near_plane_stays_for_props_without_an_image, endless_surface_is_planned_without_bounds,
-  depth_of_a_pixel_is_the_surfaces, near_plane_cuts_no_reflection, near_plane_has_an_end,
-  held_depths_keep_their_order, background_is_seen_through_endless_water,
-  grid_reaches_to_the_horizon, grid_is_balanced_about_the_eye)
+TESTS(rows_are_even_where_waves_are_seen, near_plane_stays_for_props_without_an_image,
+  endless_surface_is_planned_without_bounds, depth_of_a_pixel_is_the_surfaces,
+  near_plane_cuts_no_reflection, near_plane_has_an_end, held_depths_keep_their_order,
+  background_is_seen_through_endless_water, grid_reaches_to_the_horizon,
+  grid_is_balanced_about_the_eye)

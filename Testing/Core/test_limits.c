@@ -18,6 +18,7 @@
 #include "water_target.h"
 #include "water_tile.h"
 #include "water_waves.h"
+#include "water_whitecap.h"
 
 static const double inf = (double)INFINITY;
 
@@ -311,10 +312,22 @@ TEST(bounds_may_be_as_large_as_doubles)
   assert_int_equal(reason, WATER_CULL_NONE);
 }
 
-TESTS(ray_along_a_surface_that_is_none_goes_on, view_at_its_tolerance_is_rigid,
-  winds_at_both_ends_are_accepted, glitter_ends_at_the_horizon, seas_at_both_ends_are_accepted,
-  normal_maps_at_both_ends_are_accepted, looks_at_both_ends_are_accepted,
-  waves_at_both_ends_are_accepted, waves_fold_beyond_a_rounding,
+TEST(waves_and_winds_at_both_ends_are_accepted)
+{
+  const water_wave waves[2] = { { 0.0, 1e-9, 0.0, 0.0, 1.0 }, { 1e9, 1e9, 0.0, 0.0, 0.0 } };
+  size_t bad_index = 7;
+  assert_int_equal(water_waves_check(waves, 2, &bad_index), WATER_OK);
+  double cover = 7.0;
+  assert_int_equal(water_whitecap_cover(0.1, &cover), WATER_OK);
+  ASSERT_CLOSE(cover, 3.84e-6 * pow(0.1, 3.41), 1e-15);
+  assert_int_equal(water_whitecap_cover(100.0, &cover), WATER_OK);
+  ASSERT_CLOSE(cover, 1.0, 0.0);
+}
+
+TESTS(waves_and_winds_at_both_ends_are_accepted, ray_along_a_surface_that_is_none_goes_on,
+  view_at_its_tolerance_is_rigid, winds_at_both_ends_are_accepted, glitter_ends_at_the_horizon,
+  seas_at_both_ends_are_accepted, normal_maps_at_both_ends_are_accepted,
+  looks_at_both_ends_are_accepted, waves_at_both_ends_are_accepted, waves_fold_beyond_a_rounding,
   rays_turned_by_a_right_angle_reach_everything, both_sides_of_the_picture_are_asked,
   scene_at_the_ends_of_its_ranges_is_planned, eye_at_the_border_is_at_the_surface,
   edge_on_and_endless_views_have_no_places, numbers_too_large_to_multiply_are_refused,

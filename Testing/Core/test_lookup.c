@@ -455,10 +455,31 @@ TEST(foam_comes_back)
   ASSERT_CLOSE(water_lookup_pattern_turn(1200003.0), 0.25, 1e-9);
 }
 
-TESTS(waterline_follows_from_heights_of_texels, foam_comes_back, pixel_of_a_place_leads_back_to_it,
-  what_is_under_water_is_under_the_horizon, horizon_of_a_level_camera,
-  directions_lead_to_the_pictures_of_points_along_them, depth_at_infinity_is_where_rays_end,
-  waves_use_the_whole_map, guard_band_widens_the_map_about_its_middle, guard_band_follows_the_waves,
+// Pixels under the horizon: a corner of the picture exactly on it is where the horizon crosses the
+// border, and a picture of which no more than that is under it has none.
+TEST(a_corner_on_the_horizon_is_where_it_crosses)
+{
+  const int viewport_px[2] = { 100, 80 };
+  const double rises[3][3] = { { 1.0, 1.0, 0.0 }, { 0.0, 1.0, 1.0 }, { 1.0, 1.0, 2.0 } };
+  for (int i = 0; i < 3; ++i)
+  {
+    int rect_px[4] = { 7, 7, 7, 7 };
+    water_plan plan;
+    memset(&plan, 0, sizeof plan);
+    memcpy(plan.ndc_to_ray + 6, rises[i], sizeof rises[i]);
+    water_lookup_under(&plan, true, viewport_px, rect_px);
+    assert_int_equal(rect_px[0], 0);
+    assert_int_equal(rect_px[1], 0);
+    assert_int_equal(rect_px[2], i == 0 ? 100 : 0);
+    assert_int_equal(rect_px[3], i == 0 ? 80 : 0);
+  }
+}
+
+TESTS(a_corner_on_the_horizon_is_where_it_crosses, waterline_follows_from_heights_of_texels,
+  foam_comes_back, pixel_of_a_place_leads_back_to_it, what_is_under_water_is_under_the_horizon,
+  horizon_of_a_level_camera, directions_lead_to_the_pictures_of_points_along_them,
+  depth_at_infinity_is_where_rays_end, waves_use_the_whole_map,
+  guard_band_widens_the_map_about_its_middle, guard_band_follows_the_waves,
   top_is_the_highest_drawn_corner, environment_has_its_own_axes,
   sun_is_seen_in_the_axes_of_the_plane, depth_of_the_map_tells_heights,
   mirrored_view_reaches_down_into_troughs, mirrored_view_begins_at_the_lowest_point)

@@ -259,7 +259,19 @@ TEST(reflectance_is_the_share_that_comes_back)
   assert_true(share[2] > 5.0 * share[1] && share[1] > share[0]);
 }
 
-TESTS(refracted_ray_is_the_fastest_way, refraction_is_reversible, window_has_its_half_angle,
-  apparent_depth_has_known_ends, transmittance_is_bouguers, inscatter_is_the_sum_of_its_layers,
-  deep_clear_water_is_blue, jerlov_types_are_in_order, bad_numbers_are_refused,
-  reflectance_is_the_share_that_comes_back)
+// Coefficients may be 0 and 1e9, each of them.
+TEST(coefficients_at_both_ends_are_accepted)
+{
+  const double ends[2] = { 0.0, 1e9 };
+  for (int i = 0; i < 12; ++i)
+  {
+    water_medium medium = { { 0.1, 0.1, 0.1 }, { 0.1, 0.1, 0.1 } };
+    (i < 6 ? medium.absorption : medium.scattering)[i % 3] = ends[i % 2];
+    assert_int_equal(water_medium_check(&medium), WATER_OK);
+  }
+}
+
+TESTS(coefficients_at_both_ends_are_accepted, refracted_ray_is_the_fastest_way,
+  refraction_is_reversible, window_has_its_half_angle, apparent_depth_has_known_ends,
+  transmittance_is_bouguers, inscatter_is_the_sum_of_its_layers, deep_clear_water_is_blue,
+  jerlov_types_are_in_order, bad_numbers_are_refused, reflectance_is_the_share_that_comes_back)

@@ -342,6 +342,21 @@ TEST(waves_end_where_points_do)
   ASSERT_CLOSE(open.fresh, ended.fresh, 1e-12);
 }
 
-TESTS(waves_end_where_points_do, foams_are_the_same_in_all_numbers, cover_is_what_is_counted,
-  foam_decays_with_its_life_time, foam_does_not_jump, crests_leave_foam, foam_repeats_with_the_sea,
-  there_may_be_no_old_foam, bad_values_are_refused)
+// The earlier times reach back by three life times, in no more steps than that needs, and at most
+// 48 of them.
+TEST(foam_is_kept_for_three_lives)
+{
+  const double lives_s[4] = { 0.1, 0.5, 3.5, 10.0 };
+  for (int i = 0; i < 4; ++i)
+  {
+    const water_old_foam foam = foam_of(10.0, 0.01, lives_s[i], 0.0);
+    const double kept_s = foam.step_s * (double)foam.count;
+    assert_in_range(foam.count, 2, 48);
+    assert_true(kept_s > 2.999 * lives_s[i] && kept_s < 3.0 * lives_s[i] + 1.001 * foam.step_s);
+    assert_true(foam.step_s <= 0.5001 * lives_s[i]);
+  }
+}
+
+TESTS(foam_is_kept_for_three_lives, waves_end_where_points_do, foams_are_the_same_in_all_numbers,
+  cover_is_what_is_counted, foam_decays_with_its_life_time, foam_does_not_jump, crests_leave_foam,
+  foam_repeats_with_the_sea, there_may_be_no_old_foam, bad_values_are_refused)

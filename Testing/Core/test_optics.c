@@ -172,7 +172,22 @@ TEST(most_is_reflected_in_a_corner)
   assert_most(0.25);
 }
 
-TESTS(fresnel_has_the_known_values, brewster_angle_reflects_one_polarisation,
-  critical_angle_of_water, reflectance_is_the_same_both_ways, schlick_is_close_to_fresnel,
-  ends_of_the_range_are_safe, plan_carries_the_index_beyond,
-  joined_waters_reflect_no_less_than_each, most_is_reflected_in_a_corner)
+// An index under 1, a reflectance beyond [0, 1], and numbers that are none, are refused.
+TEST(looks_beyond_their_ranges_are_refused)
+{
+  const double indices[4] = { 0.999, (double)NAN, (double)INFINITY, -(double)INFINITY };
+  const double reflectances[4] = { -0.001, 1.001, (double)NAN, (double)INFINITY };
+  for (int i = 0; i < 4; ++i)
+  {
+    const water_look thin = { indices[i], 0.5, true };
+    const water_look bright = { 1.333, reflectances[i], true };
+    assert_int_equal(water_optics_check(&thin), WATER_BAD_INDEX);
+    assert_int_equal(water_optics_check(&bright), WATER_BAD_REFLECTANCE);
+  }
+}
+
+TESTS(looks_beyond_their_ranges_are_refused, fresnel_has_the_known_values,
+  brewster_angle_reflects_one_polarisation, critical_angle_of_water,
+  reflectance_is_the_same_both_ways, schlick_is_close_to_fresnel, ends_of_the_range_are_safe,
+  plan_carries_the_index_beyond, joined_waters_reflect_no_less_than_each,
+  most_is_reflected_in_a_corner)

@@ -85,5 +85,19 @@ TEST(without_area_nothing_is_wrong)
   ASSERT_CLOSE(verdict.angle_rad, 0.0, 0.0);
 }
 
-TESTS(a_surface_off_its_plane_is_known_by_its_mean_height, a_surface_is_upright_from_30_degrees_on,
-  waves_are_right, without_area_nothing_is_wrong)
+// 1 % of the diagonal itself is accepted.
+TEST(a_hundredth_of_the_diagonal_is_right)
+{
+  const water_plane level = { { 0.0, 0.0, 1.0 }, 0.0 };
+  water_placement placement;
+  water_placement_begin(&level, &placement);
+  const double corners[3][3] = { { 0.0, 0.0, 1.0 }, { 60.0, 0.0, 1.0 }, { 0.0, 80.0, 1.0 } };
+  water_placement_add(corners[0], corners[1], corners[2], &placement);
+  const water_placement_verdict verdict = water_placement_judge(&placement);
+  ASSERT_CLOSE(verdict.height, 1.0, 0.0);
+  ASSERT_CLOSE(verdict.height_max, 1.0, 0.0);
+  assert_false(verdict.is_off);
+}
+
+TESTS(a_hundredth_of_the_diagonal_is_right, a_surface_off_its_plane_is_known_by_its_mean_height,
+  a_surface_is_upright_from_30_degrees_on, waves_are_right, without_area_nothing_is_wrong)

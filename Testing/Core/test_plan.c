@@ -257,7 +257,12 @@ TEST(many_props_are_each_decided_as_alone)
     COUNT = 700
   };
   static water_prop props[COUNT];
-  static water_cull_reason reasons[COUNT];
+  static water_cull_reason all_reasons[3 * COUNT]; // around them no prop is drawn
+  water_cull_reason* reasons = all_reasons + COUNT;
+  for (int i = 0; i < 3 * COUNT; ++i)
+  {
+    all_reasons[i] = WATER_CULL_REFUSED;
+  }
   dice from = dice_seeded(90);
   for (int i = 0; i < COUNT; ++i)
   {

@@ -314,6 +314,16 @@ TEST(shared_planes_are_the_same_to_rounding)
   assert_false(water_plane_is_shared(&level, near_by, &above, near_by));
   assert_true(water_plane_is_shared(&level, far_off, &above, near_by));
   assert_true(water_plane_is_shared(&level, near_by, &above, far_off));
+  // 16 epsilons of the normal, and of the reach, are rounding still
+  const double most = 16.0 * DBL_EPSILON;
+  const water_plane through = { { 0.0, 0.0, 1.0 }, 0.0 };
+  for (int i = 16; i <= 17; ++i)
+  {
+    const water_plane turned = { { i * DBL_EPSILON, 0.0, 1.0 }, 0.0 };
+    const water_plane lifted = { { 0.0, 0.0, 1.0 }, 8.0 * i * DBL_EPSILON };
+    assert_int_equal(water_plane_is_same(&through, &turned, 8.0), i * DBL_EPSILON <= most);
+    assert_int_equal(water_plane_is_same(&through, &lifted, 8.0), i * DBL_EPSILON <= most);
+  }
   const water_plane none = { { 0.0, 0.0, 0.0 }, 0.0 };
   assert_false(water_plane_is_shared(&none, near_by, &none, near_by));
   assert_false(water_plane_is_shared(&level, near_by, &none, near_by));

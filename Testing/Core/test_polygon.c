@@ -2,6 +2,8 @@
 // test_polygon.c: the normals of polygons.
 #include "test_scene.h"
 
+#include <stdlib.h>
+
 #include "water_polygon.h"
 
 #include <math.h>
@@ -210,8 +212,94 @@ TEST(points_get_the_normals_of_their_polygons)
   }
 }
 
-TESTS(sums_of_normals_become_units, a_pentagon_s_normal_is_that_of_its_parts,
-  points_get_the_normals_of_their_polygons, a_triangle_s_normal_follows_the_right_hand,
-  a_concave_polygon_has_the_normal_of_its_whole, a_bent_quad_has_the_mean_normal,
-  what_has_no_area_has_no_normal, rows_of_quads_have_the_same_normals,
-  shares_of_a_mesh_make_the_whole)
+// A polygon without corners, after all others, adds nothing and reads nothing.
+TEST(the_last_polygon_may_be_empty)
+{
+  const double points[9] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
+  const int64_t starts[3] = { 0, 3, 3 };
+  int64_t* corners = malloc(3 * sizeof *corners); // sanitizers see who reads on
+  assert_non_null(corners);
+  for (int i = 0; i < 3; ++i)
+  {
+    corners[i] = i;
+  }
+  float sums[9] = { 0.0f };
+  water_polygon_add_normals(points, starts, corners, 2, sums);
+  for (int i = 0; i < 9; ++i)
+  {
+    ASSERT_CLOSE((double)sums[i], i % 3 == 2 ? 1.0 : 0.0, 0.0);
+  }
+  free(corners);
+}
+
+// Rows of triangles and of pentagons are no quads.
+TEST(rows_of_others_have_their_normals)
+{
+  enum
+  {
+    COUNT = 40
+  };
+  dice from = dice_seeded(22);
+  for (int size = 3; size <= 5; size += 2)
+  {
+    double points[3 * 5 * COUNT];
+    int64_t starts[COUNT + 1];
+    int64_t corners[5 * COUNT];
+    float sums[3 * 5 * COUNT] = { 0.0f };
+    for (int i = 0; i < 3 * 5 * COUNT; ++i)
+    {
+      points[i] = dice_roll(&from, -1.0, 1.0);
+      corners[i / 3] = i / 3;
+    }
+    for (int i = 0; i <= COUNT; ++i)
+    {
+      starts[i] = (int64_t)size * i;
+    }
+    water_polygon_add_normals(points, starts, corners, COUNT, sums);
+    for (int i = 0; i < COUNT; ++i)
+    {
+      double normal[3];
+      assert_true(water_polygon_normal(points + 3 * size * i, (size_t)size, normal));
+      for (int j = 0; j < 3 * size; ++j)
+      {
+        ASSERT_CLOSE((double)sums[3 * size * i + j], (double)(float)normal[j % 3], 0.0);
+      }
+    }
+  }
+}
+
+// Empty polygons add nothing, however many follow each other, and whatever the list has besides.
+TEST(rows_of_empty_polygons_add_nothing)
+{
+  enum
+  {
+    COUNT = 40
+  };
+  double points[3 * 4 * COUNT];
+  int64_t corners[4 * COUNT];
+  int64_t starts[COUNT + 1] = { 0 };
+  float sums[3 * 4 * COUNT] = { 0.0f };
+  for (int i = 0; i < 4 * COUNT; ++i)
+  {
+    corners[i] = i;
+    points[3 * i] = i % 4 == 1 || i % 4 == 2 ? 1.0 : 0.0;
+    points[3 * i + 1] = i % 4 >= 2 ? 1.0 : 0.0;
+    points[3 * i + 2] = 0.0;
+  }
+  for (int i = 1; i <= COUNT; ++i) // the first is a line
+  {
+    starts[i] = 2;
+  }
+  water_polygon_add_normals(points, starts, corners, COUNT, sums);
+  for (int i = 0; i < 3 * 4 * COUNT; ++i)
+  {
+    ASSERT_CLOSE((double)sums[i], 0.0, 0.0);
+  }
+}
+
+TESTS(rows_of_empty_polygons_add_nothing, rows_of_others_have_their_normals,
+  the_last_polygon_may_be_empty, sums_of_normals_become_units,
+  a_pentagon_s_normal_is_that_of_its_parts, points_get_the_normals_of_their_polygons,
+  a_triangle_s_normal_follows_the_right_hand, a_concave_polygon_has_the_normal_of_its_whole,
+  a_bent_quad_has_the_mean_normal, what_has_no_area_has_no_normal,
+  rows_of_quads_have_the_same_normals, shares_of_a_mesh_make_the_whole)

@@ -363,7 +363,47 @@ TEST(the_next_pixels_words_are_not_a_pixels_own)
   assert_int_equal(three - two, 8);
 }
 
-TESTS(the_next_pixels_words_are_not_a_pixels_own, each_word_of_a_color_counts,
+// Runs without an end to their kinds, without a length, and depths of too many bits are refused,
+// each by itself: of one pixel, whose bytes are otherwise right.
+TEST(bytes_are_wrong_one_by_one)
+{
+  uint32_t color = 0;
+  uint32_t depth = 0;
+  water_rank_picture one = { &color, &depth, 1, 1, 0 };
+  for (unsigned char kind = 0; kind < 8; ++kind)
+  {
+    const unsigned char given[6] = { (unsigned char)(1 << 3 | kind), 1, 2, 3, 4, 0 };
+    const size_t size = kind == 0 ? 1 : (kind < 3 ? 6 : 5);
+    assert_int_equal(water_rank_pixels_merge(given, size, WATER_RANK_REPLACE, &one), kind < 5);
+  }
+  const unsigned char empty[2] = { 0, 1 << 3 };
+  assert_true(water_rank_pixels_merge(empty + 1, 1, WATER_RANK_REPLACE, &one));
+  assert_false(water_rank_pixels_merge(empty, 2, WATER_RANK_REPLACE, &one));
+  for (int i = 0; i < 4; ++i) // numbers of 2^27, and 1, 2 and 3 more; odd ones have another byte
+  {
+    const unsigned char deep[10] = { 1 << 3 | 1, 1, 2, 3, 4, (unsigned char)(128 + i), 128, 128, 64,
+      9 };
+    assert_int_equal(
+      water_rank_pixels_merge(deep, i % 2 ? 10 : 9, WATER_RANK_REPLACE, &one), i == 0);
+  }
+}
+
+// Three pixels of one colour are worth a run of their own, before others; numbers up to 127 take
+// one byte.
+TEST(bytes_are_as_few_as_they_can_be)
+{
+  uint32_t colors[6] = { 9, 9, 9, 1, 2, 3 };
+  uint32_t depths[6] = { 100 << 8, 168 << 8 | 5, 0, 0, 0, 0 };
+  const water_rank_picture layer = { colors, NULL, 1, 6, 0 };
+  assert_int_equal(water_rank_pixels_encode(&layer, false, bytes), (1 + 4) + (1 + 3 * 4));
+  // 200 of the first depth, two bytes; the second is 32 under where the first two lead: 63, and a
+  // rest
+  const water_rank_picture drawn = { colors, depths, 1, 2, 0 };
+  assert_int_equal(water_rank_pixels_encode(&drawn, false, bytes), 1 + 4 + 2 + (1 + 1));
+}
+
+TESTS(bytes_are_wrong_one_by_one, bytes_are_as_few_as_they_can_be,
+  the_next_pixels_words_are_not_a_pixels_own, each_word_of_a_color_counts,
   any_word_of_a_layer_is_sent, pixels_come_back, nearest_pixel_wins,
   samples_of_a_pixel_take_few_bytes, depths_come_back, layers_come_back, pixels_take_few_bytes,
   wrong_bytes_are_refused, layers_are_blended, boxes_are_sorted,

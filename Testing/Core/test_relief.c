@@ -334,7 +334,21 @@ TEST(corners_are_lowered_by_the_cells_around_them)
   assert_true(known > 3000);
 }
 
-TESTS(endless_faces_hide_no_others, faces_have_the_corners_in_them,
-  cells_without_a_corner_stay_unknown, corners_are_lowered_by_the_cells_around_them,
-  the_sheet_ends_at_the_waterline, no_water_is_lost, beyond_a_rim_all_is_wet,
-  walls_and_numbers_that_are_none_count_nothing)
+// A triangle of two sides of a millionth of a cell has an area still; a smaller one has none.
+TEST(the_smallest_triangles_have_a_height)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    static water_relief relief;
+    water_relief_begin(&relief);
+    const double side = i == 0 ? 1e-6 : 0.9e-6;
+    double face[3][3] = { { 0.0, 0.0, 3.0 }, { side, 0.0, 3.0 }, { 0.0, side, 3.0 } };
+    water_relief_add_triangle(face, &relief);
+    assert_int_equal(isfinite(relief.height[0][0]), i == 0);
+  }
+}
+
+TESTS(the_smallest_triangles_have_a_height, endless_faces_hide_no_others,
+  faces_have_the_corners_in_them, cells_without_a_corner_stay_unknown,
+  corners_are_lowered_by_the_cells_around_them, the_sheet_ends_at_the_waterline, no_water_is_lost,
+  beyond_a_rim_all_is_wet, walls_and_numbers_that_are_none_count_nothing)

@@ -75,5 +75,14 @@ TEST(one_sample_is_in_all_of_them)
   }
 }
 
-TESTS(there_are_finer_pixels_for_all_samples_that_fit, each_of_four_samples_has_its_quarter,
-  no_other_sample_is_nearer, one_sample_is_in_all_of_them)
+// Of samples that are as near the first is taken.
+TEST(the_first_of_equal_samples_is_taken)
+{
+  const float places[3][2] = { { 0.25f, 0.0f }, { -0.25f, 0.0f }, { 0.0f, 0.25f } };
+  int number = 7;
+  water_samples_nearest(places, 3, 1, &number);
+  assert_int_equal(number, 0);
+}
+
+TESTS(the_first_of_equal_samples_is_taken, there_are_finer_pixels_for_all_samples_that_fit,
+  each_of_four_samples_has_its_quarter, no_other_sample_is_nearer, one_sample_is_in_all_of_them)

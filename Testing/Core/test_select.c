@@ -432,9 +432,36 @@ TEST(rounding_never_drops)
   }
 }
 
-TESTS(perspective_side_is_where_the_eye_is, parallel_side_is_where_the_view_comes_from,
-  parallel_side_of_a_wide_and_shifted_view, parallel_view_along_the_water_is_edge_on,
-  eye_on_the_plane_is_told_from_rounding, parallel_view_is_edge_on_up_to_the_stated_sine,
-  eye_is_on_the_plane_up_to_the_stated_rounding, flags_decide_in_their_order,
-  boxes_decide_in_their_order, bounds_that_are_not_finite_name_their_prop,
-  culling_never_drops_what_is_seen, water_in_view_is_never_out_of_view, rounding_never_drops)
+// Far out, where rounding is more than a near plane's distance, an eye that is on the plane but for
+// rounding is lifted to the same height as one exactly on it: 1000 roundings.
+TEST(eyes_on_the_plane_are_lifted_to_one_height)
+{
+  const double box[4] = { -1e-9, 1e-9, -1e-9, 1e-9 };
+  water_scene scene = lake();
+  stand_at(&scene, 1e6, 2e6, 0.0, 0.0);
+  frustum_matrix(box, 1e-9, 1.0, scene.eye.view_to_clip);
+  water_eye eye;
+  assert_int_equal(water_camera_decompose(&scene.eye, &eye), WATER_OK);
+  water_plane under = { { 0.0, 0.0, 1.0 }, 1.0 }; // the eye is as high as the offset
+  water_plane level;
+  water_side side;
+  while (water_select_side(&eye, &under, &side) == WATER_OK)
+  {
+    under.offset *= 0.5;
+  }
+  water_select_level(&eye, &under, &level, &side);
+  const double lifted = level.offset;
+  const double most = under.offset; // at least a half of what counts as rounding
+  under.offset = 0.0;
+  water_select_level(&eye, &under, &level, &side);
+  assert_true(most > 1e-12 && lifted > 900.0 * most && lifted < 2100.0 * most);
+  ASSERT_CLOSE(lifted, level.offset, 0.2 * most);
+}
+
+TESTS(eyes_on_the_plane_are_lifted_to_one_height, perspective_side_is_where_the_eye_is,
+  parallel_side_is_where_the_view_comes_from, parallel_side_of_a_wide_and_shifted_view,
+  parallel_view_along_the_water_is_edge_on, eye_on_the_plane_is_told_from_rounding,
+  parallel_view_is_edge_on_up_to_the_stated_sine, eye_is_on_the_plane_up_to_the_stated_rounding,
+  flags_decide_in_their_order, boxes_decide_in_their_order,
+  bounds_that_are_not_finite_name_their_prop, culling_never_drops_what_is_seen,
+  water_in_view_is_never_out_of_view, rounding_never_drops)

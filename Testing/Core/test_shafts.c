@@ -118,6 +118,8 @@ TEST(no_shafts_without_sun_eye_in_water_or_scattering)
   assert_false(water_shafts_plan(&plan, &usual, &made));
   plan.plane_view[3] = INFINITY;
   assert_false(water_shafts_plan(&plan, &usual, &made));
+  plan.plane_view[3] = -4.0;
+  assert_false(water_shafts_plan(&plan, &usual, &made));
   water_caustics_input input = usual;
   input.extinction = 0.0;
   assert_false(water_shafts_plan(&right, &input, &made));
@@ -150,6 +152,24 @@ TEST(the_points_are_never_too_many)
   assert_in_range(planned, 6, 100);
 }
 
+// Steeper waves need more points, up to 1024 of them along a side.
+TEST(all_of_the_points_may_be_used)
+{
+  const water_plan plan = plan_under();
+  int most = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    water_caustics_input input = usual;
+    input.slope_rms = 0.01 * i;
+    water_shafts made;
+    if (water_shafts_plan(&plan, &input, &made))
+    {
+      most = made.light.count[0] > most ? made.light.count[0] : most;
+    }
+  }
+  assert_int_equal(most, 1024);
+}
+
 // The steps scatter the same light each, and all of them what the whole way does.
 TEST(steps_share_the_scattered_light)
 {
@@ -171,6 +191,6 @@ TEST(steps_share_the_scattered_light)
   }
 }
 
-TESTS(the_points_are_never_too_many, the_light_is_around_the_eye,
+TESTS(all_of_the_points_may_be_used, the_points_are_never_too_many, the_light_is_around_the_eye,
   the_square_ends_where_nothing_is_seen, no_shafts_without_sun_eye_in_water_or_scattering,
   steps_share_the_scattered_light)

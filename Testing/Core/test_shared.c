@@ -78,6 +78,9 @@ TEST(shore_foam_has_bands)
     ASSERT_CLOSE(
       water_shared_shore_foam(0.7, turn), water_shared_shore_foam(0.7, turn + 1.0), 1e-12);
   }
+  // away from the waterline a band covers 0.8 of what is left of the depth, and nothing between two
+  ASSERT_CLOSE(water_shared_shore_foam(0.8, 0.4), 0.8 * 0.2, 1e-12);
+  ASSERT_CLOSE(water_shared_shore_foam(0.8, 0.15), 0.0, 1e-12);
   // a band is at the depth where it covers the most
   double crest[2];
   for (int i = 0; i < 2; ++i)

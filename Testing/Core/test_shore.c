@@ -73,6 +73,12 @@ TEST(fill_values_of_files_are_dry)
     assert_true(water_shore_depth(false, 3.0, fill) > -10.0); // the shore is not at its neighbour
   }
   assert_true(water_shore_column(none, 0.999e9, 1.0, 0.0).is_wet);
+  for (double highest = -1e9; highest <= 1e9; highest += 2e9) // is a height itself
+  {
+    ASSERT_CLOSE(water_shore_known(highest), highest, 0.0);
+    assert_true(water_shore_column(highest, none, none, 0.0).is_wet);
+    ASSERT_CLOSE(water_shore_level(none, highest), highest, 0.0);
+  }
   ASSERT_CLOSE(water_shore_known(-0.999e9), -0.999e9, 0.0);
 }
 
@@ -144,6 +150,9 @@ TEST(a_corner_on_the_shore_stands_once)
   assert_true(water_shore_cut(touched, 3, corners) == 3);
   const double beside[4] = { 1.0, 0.0, -1.0, 0.0 };
   assert_true(water_shore_cut(beside, 4, corners) == 3);
+  assert_corner(corners[0], 0, 0, 0.0);
+  assert_corner(corners[1], 1, 1, 0.0);
+  assert_corner(corners[2], 3, 3, 0.0);
 }
 
 TEST(water_that_meets_land_twice_is_split)
@@ -156,6 +165,12 @@ TEST(water_that_meets_land_twice_is_split)
   assert_false(water_shore_is_split(saddle, 1));
   const double edge[4] = { 1.0, 0.0, 1.0, -1.0 }; // dry where there is no depth
   const double touched[4] = { 1.0, 1.0, 0.0, 1.0 };
+  const double one[4] = { 0.0, 0.0, 0.0, 1.0 };
+  const double flat[4] = { 1.0, 0.0, 0.0, -1.0 };
+  const double six[6] = { 1.0, 1.0, 1.0, -1.0, -1.0, 1.0 }; // its last corner is beside the first
+  assert_false(water_shore_is_split(six, 6));
+  assert_false(water_shore_is_split(one, 4));
+  assert_false(water_shore_is_split(flat, 4));
   assert_true(water_shore_is_split(edge, 4));
   assert_false(water_shore_is_split(touched, 4));
 }
@@ -282,10 +297,27 @@ TEST(land_has_the_level_of_its_bed)
   ASSERT_CLOSE(water_shore_level((double)NAN, -(double)INFINITY), 0.0, 0.0);
 }
 
-TESTS(three_heights_stay_as_they_are, the_shore_is_a_share_of_the_way_along_its_edge,
-  triangles_cover_a_polygon, two_heights_make_the_third, a_level_alone_is_wet,
-  what_is_shallow_or_no_number_is_dry, fill_values_of_files_are_dry, depths_cross_zero_at_the_shore,
-  polygons_are_cut_at_the_shore, a_dry_cell_with_a_low_bed_is_behind_a_dyke,
-  a_corner_on_the_shore_stands_once, water_that_meets_land_twice_is_split,
-  columns_are_those_of_single_points, land_has_the_level_of_its_bed, levels_of_two_waters_are_apart,
+// A wet point whose level is its bed has no water by these two.
+TEST(a_level_at_the_bed_is_no_water)
+{
+  const double level[1] = { 3.0 };
+  const double beds[2] = { 3.0, 2.999 };
+  const double depth[1] = { 2.0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    double found[3];
+    char is_wet;
+    const water_shore_rows rows = { level, beds + i, depth, found, found + 1, found + 2, &is_wet };
+    assert_int_equal(water_shore_columns(&rows, 1, 0.0), i == 0);
+    assert_true(is_wet);
+  }
+}
+
+TESTS(a_level_at_the_bed_is_no_water, three_heights_stay_as_they_are,
+  the_shore_is_a_share_of_the_way_along_its_edge, triangles_cover_a_polygon,
+  two_heights_make_the_third, a_level_alone_is_wet, what_is_shallow_or_no_number_is_dry,
+  fill_values_of_files_are_dry, depths_cross_zero_at_the_shore, polygons_are_cut_at_the_shore,
+  a_dry_cell_with_a_low_bed_is_behind_a_dyke, a_corner_on_the_shore_stands_once,
+  water_that_meets_land_twice_is_split, columns_are_those_of_single_points,
+  land_has_the_level_of_its_bed, levels_of_two_waters_are_apart,
   lakes_are_level_at_most_of_the_shore, a_lake_ends_at_its_level_before_a_divide)

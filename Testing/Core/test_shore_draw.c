@@ -114,8 +114,25 @@ TEST(land_lies_in_one_place)
   assert_memory_equal(bounds, grown, sizeof bounds);
 }
 
-TESTS(gpus_cut_unless_told_otherwise, renderers_that_cannot_cut_do_not,
-  one_cell_that_would_differ_is_enough_for_the_filter,
+// A point without depth is land, which is drawn at one place.
+TEST(points_without_depth_are_land)
+{
+  const double points[6] = { 1.0, 2.0, 3.0, 4.0, 5.0, 6.0 };
+  const double levels[2] = { 7.0, 8.0 };
+  const double depths[2] = { 0.0, 1e-300 };
+  const double still[3] = { 10.0, 20.0, 30.0 };
+  double places[6];
+  double bounds[6] = { 10.0, 10.0, 20.0, 20.0, 30.0, 30.0 };
+  water_shore_places(points, levels, depths, 2, 2.0, still, places, bounds);
+  const double expected[6] = { 10.0, 20.0, 30.0, 4.0, 5.0, 16.0 };
+  for (int i = 0; i < 6; ++i)
+  {
+    ASSERT_CLOSE(places[i], expected[i], 0.0);
+  }
+}
+
+TESTS(points_without_depth_are_land, gpus_cut_unless_told_otherwise,
+  renderers_that_cannot_cut_do_not, one_cell_that_would_differ_is_enough_for_the_filter,
   the_largest_water_takes_the_whole_mesh_if_most_of_it_is_its_own,
   edges_are_cut_at_the_depth_of_zero, land_and_water_have_numbers_of_their_own,
   land_lies_in_one_place)

@@ -187,6 +187,8 @@ TEST(bed_is_as_deep_as_the_deepest_thing_that_is_shown)
   const water_plane slanted = { { 2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0 }, 0.5 };
   const water_prop aside = { { 1.0, 2.0, 3.0, 5.0, -4.0, -1.0 }, shown, 0.0f };
   ASSERT_CLOSE(water_lookup_bottom(&slanted, &aside, 1), 19.0 / 6.0, 1e-12);
+  const water_prop wall = { { 1.0, 1.0, -1.0, 1.0, -2.5, 1.0 }, shown, 0.0f };
+  ASSERT_CLOSE(water_lookup_bottom(&level, &wall, 1), 2.5, 1e-12); // without a thickness
   ASSERT_CLOSE(water_lookup_bottom(&level, props + 5, 1), 0.0, 0.0);
   ASSERT_CLOSE(water_lookup_bottom(&level, props, 0), 0.0, 0.0);
 }
@@ -273,7 +275,45 @@ TEST(directions_need_a_length)
   ASSERT_CLOSE(local[0], 1.0, 0.0);
 }
 
-TESTS(directions_need_a_length, sky_of_water_is_its_own_first, floors_need_usable_numbers,
+// An eye on a face of a box is not in it, on whichever of the six.
+TEST(an_eye_on_a_face_is_not_in_a_dome)
+{
+  water_prop dome = { { -20.0, 20.0, -20.0, 20.0, -10.0, 20.0 }, WATER_PROP_VISIBLE };
+  water_cull_reason reason;
+  water_scene scene = pool(5.0); // from (0, 0, 10)
+  scene.props = &dome;
+  scene.prop_count = 1;
+  assert_true(plan_of(&scene, &reason).is_enclosed);
+  for (int i = 0; i < 5; ++i)
+  {
+    water_prop beside = dome;
+    beside.bounds[i] = i == 4 ? 10.0 : 0.0;
+    scene.props = &beside;
+    assert_false(plan_of(&scene, &reason).is_enclosed);
+  }
+  const water_prop low = { { -10.0, 10.0, -10.0, 10.0, -5.0, 10.0 }, WATER_PROP_VISIBLE };
+  scene.props = &low;
+  assert_false(plan_of(&scene, &reason).is_enclosed);
+}
+
+// A dome is at least half as high as it is wide along its widest axis, whichever that is.
+TEST(domes_are_measured_along_their_widest_axis)
+{
+  water_cull_reason reason;
+  water_scene scene = pool(5.0); // from (0, 0, 10)
+  scene.prop_count = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    water_prop wide = { { -15.0, 15.0, -15.0, 15.0, -15.0, 15.0 }, WATER_PROP_VISIBLE };
+    scene.props = &wide;
+    assert_true(plan_of(&scene, &reason).is_enclosed);
+    wide.bounds[2 * axis] = -100.0;
+    assert_false(plan_of(&scene, &reason).is_enclosed);
+  }
+}
+
+TESTS(an_eye_on_a_face_is_not_in_a_dome, domes_are_measured_along_their_widest_axis,
+  directions_need_a_length, sky_of_water_is_its_own_first, floors_need_usable_numbers,
   calm_water_has_samples_for_many_rays, sky_of_the_scene_reaches_every_plan,
   sky_is_known_unless_something_endless_is_drawn, sky_is_known_behind_a_skybox_that_shows_it,
   sky_is_not_known_in_a_dome, contrast_of_rays, light_of_the_sun_is_its_color_times_its_intensity,

@@ -120,6 +120,8 @@ TEST(plan_turns_them_to_the_plane)
   const double right[3] = { 1.0, 0.1, 0.4 };
   const double scale[2] = { 2.0, 3.0 };
   water_scene scene = lake();
+  scene.plane_origin[0] = 3.0; // beside the eye's foot along both axes
+  scene.plane_origin[1] = -4.0;
   water_axes axes;
   water_sky_map_sphere(same, &scene.sky.map);
   water_sky_floor_make(plane, right, scale, &scene.sky.floor);

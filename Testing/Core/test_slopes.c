@@ -39,7 +39,7 @@ TEST(any_triangle_has_a_slope)
   ASSERT_CLOSE(rms_of(wall, 1), 10.0, 1e-12);
   ASSERT_CLOSE(rms_of(broken, 1), 0.0, 0.0);
   ASSERT_CLOSE(water_slopes_together(0.3, 0.4), 0.5, 1e-12);
-  assert_false(water_slopes_are_seen(0.99e-4));
+  assert_false(water_slopes_are_seen(1e-4));
   assert_true(water_slopes_are_seen(1.01e-4));
 }
 
@@ -74,8 +74,13 @@ TEST(vertices_know_their_places)
     }
     to_world[15] = 1.0;
     water_axes axes;
-    const double on_plane[3] = { -unit.offset * unit.normal[0], -unit.offset * unit.normal[1],
+    double on_plane[3] = { -unit.offset * unit.normal[0], -unit.offset * unit.normal[1],
       -unit.offset * unit.normal[2] };
+    water_lookup_axes(&unit, WATER_ABOVE, on_plane, &axes);
+    for (int i = 0; i < 3; ++i) // the axes begin beside the world's origin
+    {
+      on_plane[i] += 2.0 * axes.x_dir[i] - 3.0 * axes.y_dir[i];
+    }
     water_lookup_axes(&unit, WATER_ABOVE, on_plane, &axes);
     double across[4];
     double down[4];
@@ -151,8 +156,15 @@ TEST(normals_stay_normal)
     assert_true(dot(found, found) > 0.0);
   }
   const double flat[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 };
+  const double wide[16] = { 2, 0, 0, 7, 0, 4, 0, 8, 0, 0, 5, 9, 0, 0, 0, 1 };
   water_axes axes = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, 0 } };
   double rows[9];
+  water_slopes_normals(&axes, wide, rows); // they keep their side
+  for (int i = 0; i < 9; ++i)
+  {
+    const double by[3] = { 0.5, 0.25, 0.2 };
+    ASSERT_CLOSE(rows[i], i % 4 == 0 ? by[i / 4] : 0.0, 1e-15);
+  }
   water_slopes_normals(&axes, flat, rows);
   for (int i = 0; i < 9; ++i)
   {
@@ -189,5 +201,13 @@ TEST(polygons_are_fans)
   ASSERT_CLOSE(water_slopes_rms(&both), water_slopes_rms(&slopes), 1e-15);
 }
 
-TESTS(slopes_are_weighed_by_area, any_triangle_has_a_slope, vertices_know_their_places,
-  normals_stay_normal, polygons_are_fans)
+// Triangles without an area, and those whose area is no number, change nothing of the others.
+TEST(triangles_without_a_size_do_not_count)
+{
+  const double corners[9][3] = { { 0, 0, 0 }, { 2, 0, 0.2 }, { 0, 3, 0 }, { 1, 1, 1 }, { 1, 1, 1 },
+    { 1, 1, 1 }, { 0, 0, 0 }, { 1e200, 0, 0 }, { 0, 1e200, 0 } };
+  ASSERT_CLOSE(rms_of(corners, 3), 0.1, 1e-12);
+}
+
+TESTS(triangles_without_a_size_do_not_count, slopes_are_weighed_by_area, any_triangle_has_a_slope,
+  vertices_know_their_places, normals_stay_normal, polygons_are_fans)

@@ -402,9 +402,30 @@ TEST(seas_are_the_same_in_all_numbers)
   }
 }
 
-TESTS(seas_are_the_same_in_all_numbers, shape_has_the_known_area_and_period,
-  developed_sea_has_the_height_of_pierson_and_moskowitz, growing_sea_follows_the_charts,
-  spreading_changes_its_formula_where_it_should, empty_ranges_of_waves_are_refused,
-  peak_is_the_highest, depth_factor_has_its_limits, depth_factor_is_kitaigorodskiis,
-  phillips_has_tessendorfs_form, spreading_is_a_share, variance_is_the_same_in_every_variable,
-  slopes_are_of_cox_and_munks_size, bands_add_up, bad_seas_are_refused, slopes_know_the_wind)
+// The ends of the ranges are in them.
+TEST(seas_at_both_ends_are_accepted)
+{
+  const struct
+  {
+    size_t field;
+    double values[2];
+  } cases[] = { { offsetof(water_sea, wind_speed), { 0.1, 100.0 } },
+    { offsetof(water_sea, fetch), { 1.0, (double)INFINITY } },
+    { offsetof(water_sea, depth), { DBL_MIN, (double)INFINITY } },
+    { offsetof(water_sea, peak_enhancement), { 1.0, 20.0 } },
+    { offsetof(water_sea, spreading_power), { 0.0, 1000.0 } } };
+  for (size_t i = 0; i < 2 * (sizeof cases / sizeof cases[0]); ++i)
+  {
+    water_sea sea = sea_of(10.0, 1e5, 3.3);
+    memcpy((char*)&sea + cases[i / 2].field, &cases[i / 2].values[i % 2], sizeof(double));
+    assert_int_equal(water_sea_check(&sea), WATER_OK);
+  }
+}
+
+TESTS(seas_at_both_ends_are_accepted, seas_are_the_same_in_all_numbers,
+  shape_has_the_known_area_and_period, developed_sea_has_the_height_of_pierson_and_moskowitz,
+  growing_sea_follows_the_charts, spreading_changes_its_formula_where_it_should,
+  empty_ranges_of_waves_are_refused, peak_is_the_highest, depth_factor_has_its_limits,
+  depth_factor_is_kitaigorodskiis, phillips_has_tessendorfs_form, spreading_is_a_share,
+  variance_is_the_same_in_every_variable, slopes_are_of_cox_and_munks_size, bands_add_up,
+  bad_seas_are_refused, slopes_know_the_wind)

@@ -482,10 +482,50 @@ TEST(a_band_ends_at_the_nyquist_wave_number)
   assert_memory_equal(left_out[0], left_out[1], sizeof left_out[0]);
 }
 
-TESTS(bad_bands_are_refused, a_band_ends_at_the_nyquist_wave_number,
-  tiles_are_the_same_in_all_numbers, spectrum_is_hermitian, tile_holds_the_variance_of_the_spectrum,
-  variance_is_that_of_the_spectrum, waves_travel_along_their_wave_vector,
-  fields_follow_from_the_height, period_repeats_exactly, seed_makes_the_sea,
-  packed_pair_is_two_fields, samples_are_bilinear_and_repeat, natural_length_is_ten_peak_waves,
-  held_and_left_out_slopes_are_all, texels_hold_slopes_and_squares, bad_tiles_are_refused,
-  spectrum_turns_as_its_formula)
+// Of two bands that meet at the wave number of waves, these are in the upper one alone.
+TEST(bands_that_meet_at_a_wave_share_none)
+{
+  static double whole[NUMBERS];
+  static double parts[2][NUMBERS];
+  water_tile low = tile;
+  water_tile high = tile;
+  low.k_high = high.k_low = 2.0 * pi * 5.0 / tile.length;
+  amplitudes_of(&tile, whole);
+  amplitudes_of(&low, parts[0]);
+  amplitudes_of(&high, parts[1]);
+  const size_t at = place(&tile, 5, 0);
+  assert_true(whole[at] != 0.0 && parts[0][at] == 0.0);
+  for (size_t i = 0; i < NUMBERS; ++i)
+  {
+    ASSERT_CLOSE(parts[0][i] + parts[1][i], whole[i], 0.0);
+    assert_true(parts[0][i] == 0.0 || parts[1][i] == 0.0);
+  }
+}
+
+// The mean, and waves of two points, have no slope and no chop, which are 0 and not 0 / 0.
+TEST(the_mean_has_no_direction)
+{
+  static double amplitudes[NUMBERS];
+  static double height[NUMBERS];
+  static double field[NUMBERS];
+  amplitudes_of(&tile, amplitudes);
+  height_at(&tile, amplitudes, 2.0, height);
+  for (int kind = WATER_TILE_SLOPE_X; kind <= WATER_TILE_CHOP_Y; ++kind)
+  {
+    water_tile_derive(&tile, height, (water_tile_field)kind, field);
+    for (int i = 0; i < 4; ++i)
+    {
+      const double* found = field + place(&tile, i % 2 ? SIDE / 2 : 0, i / 2 ? SIDE / 2 : 0);
+      ASSERT_CLOSE(found[0], 0.0, 0.0);
+      ASSERT_CLOSE(found[1], 0.0, 0.0);
+    }
+  }
+}
+
+TESTS(bands_that_meet_at_a_wave_share_none, the_mean_has_no_direction, bad_bands_are_refused,
+  a_band_ends_at_the_nyquist_wave_number, tiles_are_the_same_in_all_numbers, spectrum_is_hermitian,
+  tile_holds_the_variance_of_the_spectrum, variance_is_that_of_the_spectrum,
+  waves_travel_along_their_wave_vector, fields_follow_from_the_height, period_repeats_exactly,
+  seed_makes_the_sea, packed_pair_is_two_fields, samples_are_bilinear_and_repeat,
+  natural_length_is_ten_peak_waves, held_and_left_out_slopes_are_all,
+  texels_hold_slopes_and_squares, bad_tiles_are_refused, spectrum_turns_as_its_formula)

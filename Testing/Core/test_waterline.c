@@ -356,7 +356,60 @@ TEST(rows_are_few_and_need_an_area)
   }
 }
 
-TESTS(places_are_in_the_planes_own_axes, places_near_the_waves_are_found,
+// A loop that encloses nothing, to a place and back, is as its first piece goes.
+TEST(loops_without_an_area_are_not_turned)
+{
+  water_waterline_piece pieces[2] = { { { { 3.0, 4.0 }, { 5.0, 4.0 } }, { { 1, 2 }, { 3, 4 } },
+                                        { 0 }, false },
+    { { { 3.0, 4.0 }, { 5.0, 4.0 } }, { { 1, 2 }, { 3, 4 } }, { 0 }, false } };
+  water_waterline_end ends[4];
+  size_t open = 9;
+  assert_true(water_waterline_close(pieces, 2, ends, &open));
+  for (int i = 0; i < 2; ++i)
+  {
+    ASSERT_CLOSE(pieces[i].ends[0][0], i == 0 ? 3.0 : 5.0, 0.0);
+    ASSERT_CLOSE(pieces[i].ends[1][0], i == 0 ? 5.0 : 3.0, 0.0);
+  }
+}
+
+// Whichever way each piece goes at first, all go round the loop counter-clockwise.
+TEST(pieces_of_a_loop_go_one_way)
+{
+  static const double places[5][2] = { { 0.0, 0.0 }, { 2.0, 0.0 }, { 3.0, 1.5 }, { 2.0, 3.0 },
+    { 0.0, 3.0 } };
+  for (int round = 0; round < 3 * 64; ++round)
+  {
+    const int sides = 3 + round / 64;
+    const int turned = round % 64;
+    water_waterline_piece pieces[5];
+    water_waterline_end ends[10];
+    size_t open = 9;
+    for (int i = 0; i < sides; ++i)
+    {
+      const water_waterline_piece none = { { { 0 } }, { { 0 } }, { 0 }, false };
+      pieces[i] = none;
+      for (int end = 0; end < 2; ++end)
+      {
+        const int corner = (i + (end ^ (turned >> i & 1))) % sides;
+        const int place = turned < 32 ? corner : sides - 1 - corner;
+        memcpy(pieces[i].ends[end], places[place], sizeof places[0]);
+        pieces[i].edges[end][0] = (size_t)corner;
+        pieces[i].edges[end][1] = (size_t)corner + 10;
+      }
+    }
+    assert_true(water_waterline_close(pieces, (size_t)sides, ends, &open));
+    for (int i = 0; i < sides; ++i)
+    {
+      const double* from = pieces[i].ends[0];
+      const double* to = pieces[i].ends[1];
+      // about a place within all of them
+      assert_true((from[0] - 1.5) * (to[1] - 0.5) - (from[1] - 0.5) * (to[0] - 1.5) > 0.0);
+    }
+  }
+}
+
+TESTS(pieces_of_a_loop_go_one_way, loops_without_an_area_are_not_turned,
+  places_are_in_the_planes_own_axes, places_near_the_waves_are_found,
   a_corner_on_the_water_is_over_it, the_last_of_three_at_an_edge_is_open,
   loops_are_counter_clockwise, a_piece_is_in_its_rows_and_those_it_nearly_touches,
   rows_are_few_and_need_an_area, what_a_waterline_goes_round_is_inside,

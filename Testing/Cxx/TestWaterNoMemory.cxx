@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Without memory for the parts of large meshes, or for the tile of a wind sea, the program goes on:
 // the reflection is the same, or the sea is flat, one error says so, and the next picture is right
-// again. Every large allocation fails in its turn.
+// again. Every large allocation fails in its turn, and the first one of calls of the C interface.
 #include "WaterFaultyScene.h"
 
 #include "vtkLogger.h"
 #include "vtkOutputWindow.h"
 #include "vtkSMPTools.h"
+#include "vtkWaterC.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterRendererClass.h"
 
@@ -280,6 +281,33 @@ bool CheckHeights()
   }
   return ok;
 }
+
+// Without memory for what they need first, calls of the C interface return a status with its text;
+// afterwards the same calls succeed.
+bool CheckC()
+{
+  const double points[9] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
+  const int64_t triangle[3] = { 0, 1, 2 };
+  vtk_water_actor* water = nullptr;
+  bool ok = true;
+  const auto check = [&ok](const std::string& name, auto call) {
+    vtk_water_status status = VTK_WATER_OK;
+    {
+      const Without without(kAll, 1);
+      status = call();
+    }
+    const std::string text = vtk_water_last_error();
+    ok &= WaterCheck<int>(name + ": status", status, VTK_WATER_NO_MEMORY);
+    ok &= WaterCheck<std::string>(name + ": text", text, "out of memory");
+    ok &= WaterCheck<int>(name + ", afterwards: status", call(), VTK_WATER_OK);
+    ok &= WaterCheck<std::string>(name + ", afterwards: text", vtk_water_last_error(), "");
+  };
+  check("new water", [&] { return vtk_water_actor_new(&water); });
+  check("surface", [&] { return vtk_water_actor_set_surface(water, points, 3, triangle, 1); });
+  check("flow", [&] { return vtk_water_actor_set_flow(water, points, 3); });
+  vtk_water_actor_delete(water);
+  return ok;
+}
 }
 
 int TestWaterNoMemory(int, char*[])
@@ -295,5 +323,6 @@ int TestWaterNoMemory(int, char*[])
   setenv("VTK_WATER_SOFTWARE", "1", 1);                        // a GPU computes the sea itself
   ok &= CheckSea();
   ok &= CheckHeights();
+  ok &= CheckC();
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -521,7 +521,7 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
     (
         "sun_at_night",
         BAD_VALUE,
-        b"elevation -5.000000 degrees; they must be finite and in [0, 90]",
+        b"elevation -5 degrees; they must be finite and in [0, 90]",
         "vtk_water_scene_set_sun",
         lambda it: (it.scene, number(0), number(-5), None),
     ),
@@ -535,7 +535,7 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
     (
         "sun_color",
         BAD_VALUE,
-        b"[0, 1]",
+        b"color is (0, 0, -1); red, green and blue must lie in [0, 1]",
         "vtk_water_scene_set_sun",
         lambda it: (it.scene, number(0), number(0), doubles(0, 0, -1)),
     ),
@@ -549,21 +549,21 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
     (
         "light_intensity",
         BAD_VALUE,
-        b"intensity (-1",
+        b"intensity is -1; it must be finite and not negative",
         "vtk_water_scene_add_light",
         lambda it: (it.scene, doubles(0, 0, 1), doubles(*BOTTOM), number(-1)),
     ),
     (
         "light_place",
         BAD_VALUE,
-        b"position must be finite",
+        b"position is (0, nan, 1); it must be finite",
         "vtk_water_scene_add_light",
         lambda it: (it.scene, doubles(0, NAN, 1), doubles(*BOTTOM), number(1)),
     ),
     (
         "light_color",
         BAD_VALUE,
-        b"[0, 1]",
+        b"color is (0, 0, 3); red, green and blue must lie in [0, 1]",
         "vtk_water_scene_add_light",
         lambda it: (it.scene, doubles(0, 0, 1), doubles(0, 0, 3), number(1)),
     ),
@@ -623,6 +623,20 @@ def test_a_bad_call_is_a_status_and_changes_nothing(small, status, words, functi
         "EnvironmentTexture",
     ):
         wt.check_equal(f"after it: {name}", getattr(look, f"Get{name}")(), getattr(default, f"Get{name}")())
+
+
+@pytest.mark.parametrize("absorption, scattering, words", (
+    ((0.3, 0.4, 0.5), (0.1, -1.0, 0.1), b"MatterScattering is (0.1, -1, 0.1)"),
+    ((0.3, NAN, 0.5), (0.3, 0.2, 0.1), b"MatterAbsorption is (0.3, nan, 0.5)"),
+), ids=("scattering", "absorption"))
+def test_optics_of_matter_that_are_refused_change_neither_part(small, absorption, scattering, words):  # noqa: F811
+    """If one of absorption and scattering is wrong, the other one stays as it was, too."""
+    small.judge("vtk_water_actor_set_matter_optics", OK, b"", small.water, doubles(1, 2, 3), doubles(4, 5, 6))
+    small.judge("vtk_water_actor_set_matter_optics", BAD_VALUE, words, small.water, doubles(*absorption),
+                doubles(*scattering))
+    water = small.native_water()
+    wt.check_equal("absorption, scattering", (water.GetMatterAbsorption(), water.GetMatterScattering()),
+                   ((1.0, 2.0, 3.0), (4.0, 5.0, 6.0)))
 
 
 def compass_picture():

@@ -13,8 +13,16 @@ import pytest
 import water_test as wt
 from command_runs import Commands
 from PIL import Image, TiffImagePlugin
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_TRIANGLE,
+    vtkCellArray,
+    vtkDataSetAttributes,
+    vtkImageData,
+    vtkPolyData,
+    vtkUnstructuredGrid,
+)
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
@@ -357,6 +365,74 @@ def judge_refusal(folder, status, words, arguments):
 def test_a_bad_file_is_one_line(folder, words, arguments):
     """A file that cannot be used ends the command with one line that names it and what is wrong."""
     wt.check_equal("  in one line", len(judge_refusal(folder, 1, words, ("render", *arguments))), 1)
+
+
+LEGACY = "# vtk DataFile Version {}\nx\nASCII\nDATASET {}\n"
+SQUARE = "POINTS 4 double\n0 0 0 1 0 0 1 1 0 0 1 0\n"
+WRONG_CELLS = (  # VTK's reader accepts these files; its filters would crash
+    (LEGACY.format(5.1, "POLYDATA") + SQUARE + "POLYGONS 3 6\nOFFSETS vtktypeint64\n0 5 3\n"
+     "CONNECTIVITY vtktypeint64\n0 1 2 0 2 3\n", "offsets of its cells are wrong; they must ascend from 0 to at most 6"),
+    (LEGACY.format(3.0, "RECTILINEAR_GRID") + "DIMENSIONS 3 2 1\n",
+     "the grid has 0 coordinates along axis 0; its dimensions need 3"),
+    (LEGACY.format(3.0, "RECTILINEAR_GRID") + "DIMENSIONS 3 2 1\nX_COORDINATES 3 double\n0 1 2\n"
+     "Y_COORDINATES 1 double\n0\n", "the grid has 1 coordinates along axis 1; its dimensions need 2"),
+    (LEGACY.format(3.0, "UNSTRUCTURED_GRID") + SQUARE + "CELLS 2 8\n3 0 1 2 3 0 2 3\n", "is empty: it has no cells"),
+)
+
+
+@pytest.mark.parametrize("text, words", WRONG_CELLS, ids=("offsets", "no coordinates", "few coordinates", "no types"))
+def test_wrong_cells_of_a_file_are_told(text, words, tmp_path):
+    """A file whose cells cannot be is refused with what is wrong with them."""
+    path = tmp_path / "mesh.vtk"
+    path.write_text(text)
+    with pytest.raises(readers.FileError) as caught:
+        readers.read(path)
+    wt.check_equal("said", str(caught.value), f"{path}: {words}")
+
+
+def ply_of(is_binary, is_big, faces):
+    """A square's bytes: four places, and faces of those."""
+    kind = f"binary_{'big' if is_big else 'little'}_endian" if is_binary else "ascii"
+    header = (f"ply\nformat {kind} 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+              f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n").encode()
+    places = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    if not is_binary:
+        lines = places + [(len(face), *face) for face in faces]
+        return header + "".join(" ".join(map(str, line)) + "\n" for line in lines).encode()
+    order = ">" if is_big else "<"
+    lists = b"".join(bytes([len(face)]) + np.array(face, order + "i4").tobytes() for face in faces)
+    return header + np.array(places, order + "f4").tobytes() + lists
+
+
+@pytest.mark.parametrize("faces", (((0, 1, 2), (0, 2, 3)), ((0, 1, 2, 3), (0, 1, 2))), ids=("even", "uneven"))
+@pytest.mark.parametrize("is_binary, is_big", ((False, False), (True, False), (True, True)),
+                         ids=("text", "little", "big"))
+def test_a_ply_file_that_is_cut_off_is_told(is_binary, is_big, faces, tmp_path):
+    """Wherever it ends, it is an error that says so; VTK's reader shows a part of it, or crashes."""
+    whole, path = ply_of(is_binary, is_big, faces), tmp_path / "square.ply"
+    path.write_bytes(whole)
+    wt.check_equal("faces of the whole", readers.read(path).data.GetNumberOfCells(), 2)
+    header = whole.index(b"end_header")
+    shortest = 1 if is_binary else 2  # the end of the last line may be missing
+    for size in (*range(4, header, 30), header + 5, *range(header + 11, len(whole) - shortest + 1)):
+        path.write_bytes(whole[:size])
+        with pytest.raises(readers.FileError) as caught:
+            readers.read(path)
+        words = "no end" if size < header + 10 else "is cut off; its header names 4 of the element 'vertex', 2 of"
+        if words not in str(caught.value):
+            wt.check_equal(f"{size} bytes: {caught.value}", "said", words)
+    path.write_bytes(whole)
+
+
+def test_cells_without_types_are_told():
+    """A grid with fewer types than cells is refused, with both numbers."""
+    points, cells, grid = vtkPoints(), vtkCellArray(), vtkUnstructuredGrid()
+    points.SetData(numpy_to_vtk(np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], float), deep=True))
+    cells.SetData(3, numpy_to_vtkIdTypeArray(np.array((0, 1, 2, 0, 2, 3), np.int64), deep=True))
+    grid.SetPoints(points)
+    grid.SetCells(numpy_to_vtk(np.array([VTK_TRIANGLE], np.uint8), deep=True, array_type=VTK_UNSIGNED_CHAR), cells)
+    with pytest.raises(readers.FileError, match="^mesh: the grid has 1 cell types; it has 2 cells$"):
+        readers.check_cells(grid, "mesh")
 
 
 @pytest.mark.parametrize("words, arguments", BAD_OUTPUTS, ids=("no_folder", "bmp", "avi"))

@@ -11,7 +11,7 @@ from solution_files import (COLUMNS, FILES, ROWS, SIZE, add_array, folder, image
                             write_collection, write_xml)
 from vtkmodules import vtkIOXML
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray, vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStructuredGrid
 from vtkwater import command, measure, solutions
 from vtkwater.data_scenes import COLOR_MAPS, known_cells, table_of
@@ -80,6 +80,33 @@ def test_a_picture_is_a_function_of_time_alone(folder, capsys):
                          wt.difference(pixels_of(folder / f"frames/{i:04d}.png"), pixels_of(out)), 1)
     wt.check_at_least("frame 2 less frame 0",
                       wt.difference(pixels_of(folder / "at0.png"), pixels_of(folder / "at2.png")), 20)
+
+
+def test_an_array_of_texts_is_told_once(tmp_path, capsys):
+    """An array of texts has no numbers to show: the error says so, and does not list it among those that have."""
+    mesh = structured()
+    names = vtkStringArray()
+    names.SetName("label")
+    names.SetNumberOfValues(mesh.GetNumberOfPoints())
+    mesh.GetPointData().AddArray(names)
+    write_xml(tmp_path / "labels.vts", mesh)
+    status, _, told = run(tmp_path, capsys, "render", tmp_path / "labels.vts", "--depth", "label", "--bed", "zb", *LOOK)
+    wt.check_equal(f"status, lines: {told}", (status, len(told.strip().splitlines())), (1, 1))
+    wt.check_equal("said", "labels.vts: the array 'label' has texts; arrays are: zb (points)" in told, True)
+    wt.check_equal("named", told.count("label ") + told.count("'label'"), 1)
+
+
+def test_filters_of_warnings_are_the_callers(folder, capsys):
+    """A program that calls the command has its own filters of warnings afterwards, also if the command fails."""
+    for name, wanted in (("slope.pvd", 0), ("none.pvd", 1)):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", UserWarning)
+            before = list(warnings.filters)
+            status = run(folder, capsys, "render", folder / name, *DATA, *LOOK, "--out", folder / "filters.png")[0]
+            wt.check_equal(f"{name}: status", status, wanted)
+            wt.check_equal(f"{name}: the filters are as before", warnings.filters == before, True)
+            with pytest.raises(UserWarning):
+                warnings.warn("of the caller", UserWarning, stacklevel=1)
 
 
 def test_steps_are_times(folder, capsys):

@@ -258,6 +258,20 @@ def test_a_grid_is_no_object_of_the_scene(plotter):
     wt.check_equal("props reflected", water.reflection_pass.GetNumberOfPropsReflected(), 1)
 
 
+def test_a_normal_may_have_any_length(plotter):
+    """A normal of 1e-200 or 1e200 gives the picture and the plane of a normal of 1, and no warning."""
+    water = fill(plotter, bounds=None)
+    wanted = picture_of(plotter)
+    for length in (1e-200, 1e200):
+        plotter.remove_actor(water)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            water = plotter.add_water(level=LEVEL, preset="mirror floor", normal=(0.0, 0.0, length))
+        wt.check_equal(f"length {length:g}: largest difference",
+                       int(np.abs(picture_of(plotter).astype(int) - wanted).max()), 0)
+        wt.check_at_most(f"length {length:g}: height of the plane off by", abs(water.plane.origin[2] - LEVEL), 1e-15)
+
+
 WRONG = [  # the exception, a part of its text, the argument
     (ValueError, "level is 'high', an array's name; it needs a surface with this array", {"level": "high"}),
     (TypeError, "level must be a number, not bool", {"level": True}),

@@ -7,7 +7,7 @@ import water_test as wt
 from vtkmodules import vtkIONetCDF
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkwater import netcdf, solutions
-from vtkwater.readers import FileError
+from vtkwater.readers import METRES_PER_DEGREE, FileError
 from vtkwater.ugrid import NoMesh, UgridMesh
 
 try:
@@ -21,20 +21,26 @@ SQUARE = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
 
 
 def write_mesh(path, dimension=2, coordinates="x y", faces=((0, 1, 2, 3),), times=(0.0, 10.0, 30.0), values=4,
-               role="mesh_topology"):
-    """A square; h of its nodes is 100 times its step plus the node, and there is one value that has no place."""
+               role="mesh_topology", node="node", units=None):
+    """A square; h of its nodes is 100 times its step plus the node, and there is one value that has no place.
+
+    node: the name of the nodes' dimension
+    """
     with netCDF4.Dataset(path, "w") as file:
-        for name, size in (("node", 4), ("face", len(faces)), ("corner", 4), ("time", len(times)), ("n", values)):
+        for name, size in ((node, 4), ("face", len(faces)), ("corner", 4), ("time", len(times)), ("n", values)):
             file.createDimension(name, size)
         mesh = file.createVariable("mesh", "i4")
         mesh.cf_role, mesh.node_coordinates, mesh.face_node_connectivity = role, coordinates, "faces"
         if dimension is not None:
             mesh.topology_dimension = dimension
         for axis, name in enumerate("xy"):
-            file.createVariable(name, "f8", ("node",))[:] = [place[axis] for place in SQUARE]
+            places = file.createVariable(name, "f8", (node,))
+            places[:] = [place[axis] for place in SQUARE]
+            if units:
+                places.units = units[axis]
         file.createVariable("faces", "i4", ("face", "corner"), fill_value=-1)[:] = faces
         file.createVariable("time", "f8", ("time",))[:] = times
-        h = file.createVariable("h", "f8", ("time", "node" if values == 4 else "n"))
+        h = file.createVariable("h", "f8", ("time", node if values == 4 else "n"))
         h[:] = 100.0 * np.arange(len(times))[:, None] + np.arange(values)
         single = file.createVariable("single", "f8")
         single[:] = 3.0
@@ -103,14 +109,41 @@ def test_steps_are_in_the_order_of_their_times(tmp_path, monkeypatch):
     wt.check_equal("h", [h_of(solution.at(time))[0] for time in (0.0, 5.0, 10.0, 30.0)], [100.0, 150.0, 200.0, 0.0])
 
 
-def write_grid(path, times):
+def write_grid(path, times, axes=("y", "x")):
     with netCDF4.Dataset(path, "w") as file:
-        for name, values in (("time", times), ("y", range(4)), ("x", range(5))):
+        for name, values in (("time", times), (axes[0], range(4)), (axes[1], range(5))):
             file.createDimension(name, len(values))
             file.createVariable(name, "f8", (name,))[:] = values
         file["time"].units = "seconds since 2024-01-01"
-        file.createVariable("h", "f8", ("time", "y", "x"))[:] = 1.0
+        file.createVariable("h", "f8", ("time", *axes))[:] = 1.0
     return path
+
+
+def test_names_of_dimensions_may_have_hyphens(tmp_path):
+    """WRF's south-north and west-east are no degrees; lat-rho and lon-rho of another model are."""
+    metres = solutions.Solution(write_grid(tmp_path / "a.nc", (0.0, 10.0), ("south-north", "west-east")), ["h"])
+    wt.check_equal("times", metres.times, (0.0, 10.0))
+    wt.check_equal("h", set(h_of(metres.at(10.0))), {1.0})
+    wt.check_equal("width in metres", metres.at(0.0).GetBounds()[1], 4.0)
+    degrees = solutions.Solution(write_grid(tmp_path / "b.nc", (0.0, 10.0), ("lat-rho", "lon-rho")), ["h"])
+    # a degree of longitude at the middle latitude, 1.5 degrees
+    wide = 4.0 * METRES_PER_DEGREE * np.cos(np.radians(1.5))
+    bounds = degrees.at(0.0).GetBounds()
+    wt.check_at_most("width off by, of it", abs((bounds[1] - bounds[0]) / wide - 1.0), 1e-3)
+
+
+@pytest.mark.parametrize("is_vtks", (True, False))
+def test_nodes_of_a_mesh_may_have_hyphens(tmp_path, monkeypatch, is_vtks):
+    """A mesh whose dimension of nodes is mesh-nodes is in degrees if its coordinates have the units of degrees."""
+    if is_vtks and not HAS_VTKS:
+        pytest.skip("this VTK reads no such meshes")
+    if not is_vtks:
+        hide_vtks(monkeypatch)
+    path = write_mesh(tmp_path / "mesh.nc", node="mesh-nodes", units=("degrees_east", "degrees_north"))
+    solution = solutions.Solution(path, ["h"])
+    wt.check_equal("h", h_of(solution.at(0.0)), [0.0, 1.0, 2.0, 3.0])
+    bounds = solution.at(0.0).GetBounds()
+    wt.check_at_most("height off by, of it", abs((bounds[3] - bounds[2]) / METRES_PER_DEGREE - 1.0), 1e-6)
 
 
 @pytest.mark.parametrize("write", (write_grid, write_mesh), ids=("grid", "mesh"))

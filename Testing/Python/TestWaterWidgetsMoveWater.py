@@ -100,6 +100,23 @@ def test_slider_that_is_dragged_floods_the_scene():
                    (-0.25, -0.25))
 
 
+@pytest.mark.usefixtures("on_a_gpu")
+def test_water_behind_a_wall_is_not_mirrored_beside_a_slider():
+    """A slider, which is drawn over the picture, leaves the module free to ask first whether the water is seen."""
+    view, water, interactor = make()
+    slider = LevelSlider(interactor, water, -1.0, 1.0)
+    wall = wt.add_actor(view.renderer, wt.box((0, -10, 0), (40, 0.2, 40)), (0.6, 0.5, 0.5), lit=False)
+    wt.leave_out(wall)
+    view.renderer.ResetCameraClippingRange()
+    decisions = []
+    for _ in range(5):  # the first frames cannot know
+        view.renderer.GetActiveCamera().Azimuth(0.5)
+        view.picture()
+        decisions.append(wt.decision_of(water))
+    wt.check_equal("enabled", slider.widget.GetEnabled(), 1)
+    wt.check_equal("decisions of the last frames", decisions[-3:], ["HIDDEN"] * 3)
+
+
 @pytest.mark.parametrize("low, high", ((1.0, 0.0), (2.0, 3.0), (float("nan"), 1.0), (-float("inf"), 1.0)))
 def test_slider_refuses_bad_ends(low, high):
     """A slider whose ends are in the wrong order, without the level between them, or not finite is refused."""

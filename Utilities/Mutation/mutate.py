@@ -32,7 +32,7 @@ TESTS = PROJECT / "Testing/Core"
 HERE = pathlib.Path(__file__).resolve().parent
 TABLE = "mutants.tsv"
 LEAST_CAUGHT = 0.97  # the aim, for a run of all
-LEAST_OF_SAMPLE = 0.90  # what holds today, less three standard deviations of 400; it only ever rises
+LEAST_OF_SAMPLE = 0.97  # what holds today, less three standard deviations of 400; it only ever rises
 LEAST_CPU_S = 1  # of a test that does not end; the longest takes 0.6 s
 
 NO_END = ", without end"

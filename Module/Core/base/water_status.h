@@ -14,20 +14,20 @@ extern "C"
 
 #define WATER_STATUS_LIST(X)                                                                       \
   X(WATER_OK, "no error")                                                                          \
-  X(WATER_BAD_PLANE, "the water plane needs a finite origin and a finite normal that is not zero") \
+  X(WATER_BAD_PLANE, "the water plane needs an origin within 1e100 and a finite normal, not zero") \
   X(WATER_BAD_SURFACE,                                                                             \
-    "the water has no surface: the scene is empty or its bounds are not finite; add props, set "   \
+    "the water has no surface: the scene is empty or its bounds exceed 1e100; add props, set "     \
     "SheetBounds or give the water a mapper")                                                      \
   X(WATER_BAD_VIEWPORT, "the picture must be at least 1 x 1 pixels")                               \
   X(WATER_BAD_TEXTURE_SCALE, "TextureScale must be finite and greater than 0")                     \
   X(WATER_TEXTURE_TOO_LARGE, "the reflection texture is larger than the GPU's limit")              \
-  X(WATER_BAD_CLIP_MARGIN, "ClipMargin must be finite and not negative")                           \
+  X(WATER_BAD_CLIP_MARGIN, "ClipMargin must lie in [0, 1e100]")                                    \
   X(WATER_BAD_PROP_SIZE, "MinimumPropSize must not be negative")                                   \
   X(WATER_BAD_REFLECTANCE_ERROR, "ReflectanceError must lie in [0, 1]")                            \
   X(WATER_BAD_INDEX, "IndexOfRefraction must be finite and at least 1")                            \
   X(WATER_BAD_REFLECTANCE, "Reflectance must lie in [0, 1]")                                       \
   X(WATER_BAD_CAMERA,                                                                              \
-    "the camera's matrices must be finite, the view rigid and the projection "                     \
+    "the camera's matrices must be finite and at most 1e100, the view rigid and the projection "   \
     "invertible")                                                                                  \
   X(WATER_CAMERA_ON_PLANE,                                                                         \
     "the camera lies exactly on the water plane; it must be above or below")                       \

@@ -17,6 +17,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 
 struct vtk_water_pass
@@ -132,6 +133,32 @@ inline bool IsColor(const double color[3])
     }
   }
   return true;
+}
+
+// Numbers as the texts of errors have them.
+inline std::string TextOf(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+inline std::string TextOf(const double values[3])
+{
+  return "(" + TextOf(values[0]) + ", " + TextOf(values[1]) + ", " + TextOf(values[2]) + ")";
+}
+
+// What is wrong with a place and with a colour; empty: nothing.
+inline std::string DescribeBadPlace(const std::string& name, const double place[3])
+{
+  return AreFinite(place, 3) ? "" : name + " is " + TextOf(place) + "; it must be finite";
+}
+
+inline std::string DescribeBadColor(const std::string& name, const double color[3])
+{
+  return IsColor(color)
+    ? ""
+    : name + " is " + TextOf(color) + "; red, green and blue must lie in [0, 1]";
 }
 
 // What is wrong with a mesh of a caller's; empty: nothing.
