@@ -379,8 +379,8 @@ public:
   ///@}
 
   /**
-   * The value of SetPickable; 0 while the sheet reaches to the horizon and no pixels are being
-   * selected, because the sheet then has no bounds for pickers.
+   * The value of SetPickable. 0 while the sheet reaches to the horizon, because it then has no
+   * bounds for pickers, except during a selection of pixels.
    */
   vtkTypeBool GetPickable() override;
 

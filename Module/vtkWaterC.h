@@ -16,9 +16,9 @@
  * may be deleted. Every function that can fail returns a status; vtk_water_status_text returns its
  * text. vtk_water_last_error describes the last failure in this thread, with the value and its
  * accepted range. A failed call changes nothing. No exception leaves a function. Output parameters
- * come last. Lengths are in the scene's unit, which is a metre unless
- * vtk_water_actor_set_units sets another. As in VTK, only one thread at a time may use a scene and
- * its contents.
+ * come last. Positions, levels and heights are in the scene's unit, which is a metre unless
+ * vtk_water_actor_set_units sets another. Lengths marked with m are in metres. As in VTK, only one
+ * thread at a time may use a scene and its contents.
  *
  * The symbols have the version VTK_WATER_C_1 (ELF). Within this version functions are added and
  * never changed.
@@ -143,18 +143,18 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_own_view(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_water_type(
   vtk_water_actor* actor, const char* name);
 
-/* Sets a depth, m, finite and not negative: the shore foams where the water is shallower than this.
- * Needs refraction. Default 0: no foam. */
+/* Sets a depth, m, finite and not negative: there is foam at the shore where the water is
+ * shallower. Needs refraction. Default 0: no foam. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_foam(
   vtk_water_actor* actor, double depth);
 
-/* Sets the strength of caustics under the surface, in [0, 1]; with refraction, waves and a sun.
+/* Sets the strength of caustics under the surface, in [0, 1]. Needs refraction, waves and a sun.
  * Default 0: no caustics. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_caustics(
   vtk_water_actor* actor, double strength);
 
 /* Sets light shafts for a camera under water: the share of the light there, in [0, 1], that varies
- * because the waves above focus it; with refraction, waves and a sun. Default 0: no shafts. */
+ * because the waves above focus it. Needs refraction, waves and a sun. Default 0: no shafts. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_light_shafts(
   vtk_water_actor* actor, double share);
 
@@ -164,8 +164,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_shadows(
   vtk_water_actor* actor, int shadows);
 
 /* Sets the radius of a dome port, the glass dome around an underwater camera, m, finite and not
- * negative; with refraction. If the camera is less than this radius above the water, the picture is
- * half above and half under water. Default 0: no port. */
+ * negative. Needs refraction. If the camera is less than this radius above the water, the picture
+ * is half above and half under water. Default 0: no port. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_dome_port(
   vtk_water_actor* actor, double radius);
 
@@ -183,8 +183,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_vertical_exaggerat
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_quality(
   vtk_water_actor* actor, const char* name);
 
-/* Sets a picture of the surroundings that is reflected instead of the scene, in latitude and
- * longitude. It has width x height x 3 bytes, red, green and blue, top row first, which are copied;
+/* Sets a picture of the surroundings that is reflected instead of the scene, in longitude and
+ * latitude. It has width x height x 3 bytes, red, green and blue, top row first, which are copied;
  * width and height are in [1, 16384]. In a scene of vtk_water_scene_new, up is +z, and +x is in the
  * middle of the picture. NULL, the default: the scene is reflected. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_environment(
@@ -199,8 +199,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_surface(vtk_water_
 
 /* Sets the current that carries the waves: point_count times the velocity along x, y and z, m/s, at
  * the points of vtk_water_actor_set_surface, of which there must be as many. The data are copied;
- * call it again for another time. What is not finite, or faster than 1e4 m/s, counts as 0. NULL,
- * the default: no current. It is seen where there are waves. */
+ * call it again for another time. Velocities that are not finite, or faster than 1e4 m/s, count as
+ * 0. NULL, the default: no current. A current is visible only where there are waves. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_flow(
   vtk_water_actor* actor, const double* velocities, size_t point_count);
 
@@ -211,8 +211,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_flow_period(
 
 /* Sets the concentration of matter that the water carries, such as sediment or a dye, at the points
  * of vtk_water_actor_set_surface, of which there must be as many; finite and not negative, others
- * count as 0. The data are copied; call it again for another time. NULL, the default: no matter. It
- * is seen with vtk_water_actor_set_refraction. */
+ * count as 0. The data are copied; call it again for another time. NULL, the default: no matter.
+ * Matter is visible only with vtk_water_actor_set_refraction. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_matter(
   vtk_water_actor* actor, const double* concentrations, size_t point_count);
 
@@ -226,7 +226,7 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_matter_optics(
  * as many. measure says what the values are: "cover", the share of the surface that foam covers, in
  * [0, 1]; "froude", Froude numbers, with foam from 1 on, which covers everything from 1.7 on;
  * "breaking", heights of the waves over the depth, with foam from 0.78 on, which covers everything
- * from 1.13 on. The data are copied. NULL values, the default: no foam of data. */
+ * from 1.13 on. The data are copied. NULL values, the default: no foam from data. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_foam_data(
   vtk_water_actor* actor, const double* values, size_t point_count, const char* measure);
 
@@ -303,7 +303,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_add_mesh(vtk_water_sce
   const double* points, size_t point_count, const int64_t* triangles, size_t triangle_count,
   const double color[3]);
 
-/* Adds water. The scene shares it: the handle may be deleted, or used further. */
+/* Adds water. The scene keeps a reference to it: you may delete the handle, or continue to use
+ * it. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_add_water(
   vtk_water_scene* scene, vtk_water_actor* actor);
 
@@ -313,8 +314,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_camera(vtk_water_s
   const double eye[3], const double target[3], const double up[3], double angle_deg);
 
 /* Renders. pixels: NULL, or a buffer of width x height x 3 bytes that receives red, green and blue,
- * top row first; byte_count: its size. Also returns VTK_WATER_BAD_VALUE if a water cannot be drawn,
- * once; the picture then shows the rest of the scene. */
+ * top row first; byte_count: its size. If a water cannot be drawn, the function
+ * returns VTK_WATER_BAD_VALUE, once per problem; the picture then shows the rest of the scene. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_render(
   vtk_water_scene* scene, unsigned char* pixels, size_t byte_count);
 

@@ -73,10 +73,10 @@ public:
 
   /**
    * Shows the water of a solver's mesh: a vtkWaterSurfaceFilter of the mesh, with these names of
-   * arrays of its level, its depth and the bed, and a vtkPolyDataMapper of the filter's output as
-   * the mapper. Two of the names are enough; the others are empty. The mesh may change from frame
-   * to frame. A reader's time step is chosen by UpdateTimeStep of the filter. Colours:
-   * SelectColorArray and the other settings of GetMapper().
+   * its arrays of level, depth and bed, and a vtkPolyDataMapper of the filter's output as the
+   * mapper. Two of the names are enough; leave the third empty. The mesh may change from frame to
+   * frame. To choose the time step of a reader, call the filter's UpdateTimeStep. To colour the
+   * water, use SelectColorArray and the other settings of GetMapper().
    *
    * Returns the filter, for its other settings, or nullptr if the mesh is nullptr, which means no
    * water. The filter reports wrong arrays when it is updated. Default is no mesh.
@@ -95,9 +95,9 @@ public:
 
   ///@{
   /**
-   * Maximum number of waters in view that have a mirrored view, in [0, 4096]: those whose bounds
-   * cover the largest share of the picture, each part with bounds of its own. The others reflect
-   * only the sky. Default is 8.
+   * Maximum number of waters in view that have a mirrored view, in [0, 4096]. These are the waters
+   * whose bounds cover the largest share of the picture; each part has its own bounds. The others
+   * reflect only the sky. Default is 8.
    */
   void SetMaximumNumberOfMirrors(int mirrors);
   vtkGetMacro(MaximumNumberOfMirrors, int);
@@ -105,10 +105,10 @@ public:
 
   ///@{
   /**
-   * Largest number of planes, in [1, 4096]; there is a water for each. If there are more parts, one
-   * more water, the last one, has the smallest ones. It reflects only the sky, because the mirrored
-   * view of one height is wrong at another. In software, every clear water in view takes some
-   * milliseconds per frame, mirrored or not. Default is 16.
+   * Maximum number of planes, in [1, 4096]; there is one water for each. If the parts have more
+   * planes, the smallest parts form one more water, the last one. It reflects only the sky, because
+   * the mirrored view of one height is wrong at another. In software, every clear water in view
+   * takes some milliseconds per frame, mirrored or not. Default is 16.
    */
   void SetMaximumNumberOfPlanes(int planes);
   int GetMaximumNumberOfPlanes() const;
@@ -123,23 +123,23 @@ public:
 
   ///@{
   /**
-   * Who cuts the water of a vtkWaterSurfaceFilter at the shore (SetData, or a mapper of that
+   * What cuts the water of a vtkWaterSurfaceFilter at the shore (SetData, or a mapper of that
    * filter's output). CUT_IN_FILTER: the filter, in each step. CUT_WHILE_DRAWN: the renderer, which
-   * draws the filter's whole input and cuts it at the depth of 0: a step of a large mesh then costs
-   * the CPU less, because no cell is cut and none is sent again. The line is the same in triangles;
-   * in a quad it has a bend on the diagonal where VTK splits it. CUT_AUTOMATIC: CUT_WHILE_DRAWN on
-   * a GPU, CUT_IN_FILTER with software rendering.
+   * draws the filter's whole input and cuts it where the depth is 0. A step of a large mesh then
+   * takes less CPU time, because no cell is cut and none is uploaded again. The line is the same in
+   * triangles; in a quad it has a bend on the diagonal where VTK splits it. CUT_AUTOMATIC:
+   * CUT_WHILE_DRAWN on a GPU, CUT_IN_FILTER with software rendering.
    *
    * The filter cuts even with CUT_WHILE_DRAWN if the picture would otherwise differ, or if the cut
-   * is impossible while drawing. This is so before the first frame; if only a level is given; if
+   * is impossible while drawing. This applies before the first frame; if only a level is given; if
    * the mapper is not a vtkPolyDataMapper, or shows edges, vertices or a wireframe, or has shader
-   * code of the user; and if the driver's clip distances are wrong. It is also so if a cell next to
-   * water is completely dry (as behind a dyke), if the shore crosses a polygon of five or more
+   * code of the user; and if the driver's clip distances are wrong. It also applies if a cell next
+   * to water is completely dry (as behind a dyke), if the shore crosses a polygon of five or more
    * corners twice, if a quad has water of two lakes, if a dry point is next to two lakes at
    * different levels, or if a displayed array is NaN at a dry point next to water.
    *
    * Pickers, exporters and filters that use a water's mapper, or the vtkWaterSurfaceFilter, get the
-   * cut mesh. It is made when it is asked for. Another number is rejected with an error. Default is
+   * cut mesh, which is made on request. Another number is rejected with an error. Default is
    * CUT_AUTOMATIC.
    */
   void SetShoreCut(int cut);

@@ -12,8 +12,8 @@
  * explains at least half of the heights' mean square: waves leave it horizontal, the slope of a
  * river does not. Parts share a plane if their distance from the plane of the larger one is at most
  * a millionth of the surface's diagonal plus the rounding of its coordinates. There are at most
- * MaximumNumberOfPlanes, those of the largest parts. If there are other parts, one more block, the
- * last one, has all of them (the rest): no mirrored view is right for it.
+ * MaximumNumberOfPlanes, those of the largest parts. If there are other parts, they form one more
+ * block, the last one (the rest). No mirrored view is correct for all of them.
  *
  * The blocks are vtkPolyData, the block of the largest part first, with all arrays and five arrays
  * of field data: "WaterPlaneOrigin" and "WaterPlaneNormal" (3 numbers each; the origin of a

@@ -176,7 +176,7 @@ public:
   const char* GetPreset() const;
   ///@}
   static int GetNumberOfPresets();
-  static const char* GetPresetName(int number); // nullptr from the number on
+  static const char* GetPresetName(int number); // nullptr if there is no preset of this number
   static const char* GetPresetSource(const char* name);
 
   enum DeepColorModes
@@ -298,7 +298,7 @@ public:
 
   ///@{
   /**
-   * Picture of the surroundings in latitude and longitude, like that of a vtkSkybox with the
+   * Picture of the surroundings in longitude and latitude, like that of a vtkSkybox with the
    * projection Sphere. The renderer's EnvironmentUp and EnvironmentRight orient it. It is also the
    * sky for rays that leave the mirrored view, for an eye under water, and for this water in
    * another water's reflection. Without a texture, these use the sky that VTK shows: a skybox or

@@ -16,8 +16,8 @@
  *
  * The mirrored view contains opaque and translucent geometry and volumes. They are lit by the
  * scene's lights at their real positions, and clipped at the plane. It does not contain the water
- * itself. Other waters appear in it with their colour and the background's reflection, or the
- * scene's (SetSecondaryReflections). The mirrored view is flipped in x.
+ * itself. Other waters appear in it with their own colour, and reflect the sky or, with
+ * SetSecondaryReflections, the scene. The mirrored view is flipped in x.
  *
  * The environment variable VTK_WATER_DEBUG=1 turns ShowReflection on. VTK_WATER_SOFTWARE=0 makes
  * the module treat any renderer as a GPU, VTK_WATER_SOFTWARE=1 as a software renderer
@@ -239,7 +239,7 @@ public:
   ///@{
   /**
    * Whether to show the reflection texture in the lower left quarter of the viewport, as the water
-   * sees it (not flipped). For debugging. Default is off, with VTK_WATER_DEBUG=1 on.
+   * sees it (not flipped). For debugging. Default is off, or on if VTK_WATER_DEBUG=1.
    */
   vtkSetMacro(ShowReflection, bool);
   vtkGetMacro(ShowReflection, bool);
@@ -361,18 +361,21 @@ public:
    * settings. If waters differ, if a rank has an error, if an exception ends its mirrored view, or
    * if a rank hides or deletes a water after it was shown, all ranks report an error and show the
    * plain colour. While a rank has no controller, has not shown the water yet, or does not render,
-   * the others wait for it, as in any collective call (SetRankWaitLimit). A mesh may be split over
-   * the ranks. Each rank has a bounding box of its translucent props and volumes. They are blended
-   * rank by rank, in the order in which the mirrored camera sees these boxes; the result is
-   * correct if the boxes do not overlap. Pixels of textures (normal maps, environment) are not
-   * compared. A controller of a single process has no effect, unless MPI has
-   * started several processes. For frames that one rank renders
-   * alone, set nullptr on all ranks. vtkWaterLakes does not support ranks: only its first water has
-   * the controller. A controller that is not initialised, or is finalised, is an error of every
-   * frame until another is set, and the water shows its plain colour. A controller of one process
-   * where MPI has started several is an error; the water then reflects this rank's part. MPI itself
-   * ends ranks that render after MPI_Finalize with a controller that is not finalised. Source:
-   * Documentation/decisions/023-ranks.md. Default is nullptr.
+   * the others wait for it, as in any collective call (SetRankWaitLimit). For frames that one rank
+   * renders alone, set nullptr on all ranks. vtkWaterLakes does not support ranks: only its first
+   * water has the controller.
+   *
+   * A mesh may be split over the ranks. Translucent props and volumes are blended rank by rank:
+   * each rank has a bounding box of its own ones, and the mirrored camera determines the order of
+   * these boxes. The result is correct if the boxes do not overlap. Pixels of textures (normal
+   * maps, environment) are not compared.
+   *
+   * A controller of a single process has no effect. If MPI has started several processes, it is an
+   * error, and the water reflects only this rank's part. A controller that is not initialised, or
+   * is finalised, is an error until another is set, and the water shows its plain colour. MPI
+   * itself ends ranks that render after MPI_Finalize with a controller that is not finalised.
+   *
+   * Source: Documentation/decisions/023-ranks.md. Default is nullptr.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
@@ -398,10 +401,10 @@ public:
    * compositing. It must be the rank that the engine treats as the farthest from the eye. Set it
    * before each frame in which it changes; all ranks use the number set on rank 0. The pictures of
    * the other ranks are transparent black where their water is, so that they hide neither the water
-   * nor what is in it. They keep what is in front of their water. In [-1, ranks - 1]; -1: all ranks
-   * draw the water, for engines that compare depths. Has no effect without other ranks. Water with
-   * an Opacity below 1, and an eye below clear water, are not supported: use an engine that
-   * compares depths. Source: Documentation/decisions/023-ranks.md. Default is -1.
+   * nor the objects in it. They keep the objects in front of their water. In [-1, ranks - 1]; -1:
+   * all ranks draw the water, for engines that compare depths. Has no effect without other ranks.
+   * Water with an Opacity below 1, and an eye below clear water, are not supported: use an engine
+   * that compares depths. Source: Documentation/decisions/023-ranks.md. Default is -1.
    */
   void SetFarthestRank(int rank);
   int GetFarthestRank() const;

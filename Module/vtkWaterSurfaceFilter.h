@@ -37,8 +37,8 @@
  * cells or, for a structured or rectilinear grid or an image, the cells that the filter keeps for
  * the next steps. Change a deep copy.
  *
- * Hidden cells of grids and images (vtkDataSetAttributes::HIDDENCELL) are no water. Those of
- * vtkPolyData are, as its mappers draw them.
+ * Hidden cells of grids and images (vtkDataSetAttributes::HIDDENCELL) are not water. Hidden cells
+ * of vtkPolyData are, because its mappers draw them.
  *
  * Level, depth and bed must have the same unit. If one array seems to have another unit, a warning
  * names it, once, with the ranges of all arrays. The checks convert an array between millimetres,

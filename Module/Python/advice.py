@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tells the caller of add_water what would have no effect: arguments by an error, places by a warning."""
+"""Tells the caller of add_water what would have no visible effect: an argument by an error, a position by a warning."""
 import math
 import warnings
 
@@ -14,7 +14,7 @@ __all__ = ["check_has_effect", "heights_along", "tell_distance", "tell_level"]
 def check_has_effect(surface, is_one_water, color_by, max_mirrors, **of_colors):
     """Raise a ValueError if an argument is given that has no effect without another one.
 
-    is_one_water  a number as the level puts all of the surface in one plane
+    is_one_water  whether all of the surface lies in one plane, because the level is a number
     """
     for name, value in of_colors.items():
         if value is not None and color_by is None:
@@ -45,7 +45,7 @@ def heights_along(renderer, unit, normal, origin):
 
 
 def tell_level(level, heights, is_sheet):
-    """Warn of a level at which land or water hides the other; is_sheet: the water ends with the scene."""
+    """Warn of a level at which land hides all water, or water all land; is_sheet: the water ends with the scene."""
     low, high, diagonal = heights
     scene = f"heights in the scene lie in [{low:g}, {high:g}]"
     if is_sheet and low > level:
@@ -57,7 +57,7 @@ def tell_level(level, heights, is_sheet):
 
 
 def tell_distance(surface, renderer):
-    """Warn of a gap between a surface and the rest of the scene, without other waters, of more than both diagonals.
+    """Warn of a gap between a surface and the props other than water that is larger than the sum of their diagonals.
 
     surface  its bounds in the renderer's own coordinates
     """

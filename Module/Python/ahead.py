@@ -75,10 +75,10 @@ class Ahead:
                 self._thread.start()
 
     def take(self, number):
-        """Wait for the step that was asked for and return its mesh; None if the caller must read the step itself.
+        """Wait for the step that was requested and return its mesh; None if the caller must read the step itself.
 
-        That is so if another step was asked for, if a file of the step has changed since, or if the other process
-        sends no mesh or does not answer within LIMIT_S seconds.
+        The caller must do so if another step was requested, if a file of the step has changed since, or if the other
+        process sends no mesh or does not answer within LIMIT_S seconds.
         """
         if os.getpid() != self._owner:
             return None
@@ -162,7 +162,7 @@ def exchange(process, number, found):
 
 
 def serve(descriptor):
-    """The other process: steps by their numbers from standard input, until it ends; answers to a file descriptor."""
+    """Run the other process: read numbers of steps from standard input until it ends; answer to a file descriptor."""
     from .solutions import Solution
 
     answers = os.fdopen(descriptor, "wb")

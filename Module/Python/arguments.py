@@ -53,7 +53,7 @@ class Parser(argparse.ArgumentParser):
         return found
 
     def error(self, message):
-        """One line: the error, and where help is. The usage would be twenty lines before it."""
+        """Print one line: the error, and how to get help. The usage would take another twenty lines."""
         unknown = re.match(r"unrecognized arguments: .*?(--[^\s=]+)", message)
         if unknown:
             close = difflib.get_close_matches(unknown.group(1), sorted(set(self.options())), 1)

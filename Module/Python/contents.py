@@ -145,7 +145,7 @@ def level_among(heights, share=None):
 
 
 def plain(value):
-    """A number without an exponent, which an option would not take behind a minus."""
+    """A number without an exponent, because an option does not accept a negative number with one."""
     return np.format_float_positional(value, trim="-")
 
 
@@ -176,7 +176,7 @@ def level_over_bed(arrays):
 
 
 def simple(name):
-    """A name in lower case, with its letters and digits alone."""
+    """A name in lower case, with only its letters and digits."""
     return re.sub("[^a-z0-9]", "", name.lower())
 
 

@@ -30,7 +30,8 @@ def add_data_arguments(parser, number):
     group.add_argument("--contour", metavar="ARRAY",
                        help="array of a volume, instead of level, depth and bed: the water's surface is its contour "
                             "at --contour-value")
-    group.add_argument("--contour-value", type=number(), metavar="VALUE", help="default 0.5, for a volume fraction")
+    group.add_argument("--contour-value", type=number(), metavar="VALUE",
+                       help="value of the contour; default 0.5, for a volume fraction")
     group.add_argument("--color-by", metavar="ARRAY", help="array that colours the water; vectors by their "
                        "magnitude")
     group.add_argument("--flow", metavar="ARRAY", help="velocity of a current, m/s, that carries the small waves; "
@@ -55,8 +56,8 @@ def add_data_arguments(parser, number):
     group.add_argument("--scalar-bar", action=argparse.BooleanOptionalAction, default=None,
                        help="show a scalar bar; default: with --color-by")
     group.add_argument("--lonlat", action=argparse.BooleanOptionalAction, default=None,
-                       help="x and y are longitude and latitude in degrees; default: as the units of a NetCDF "
-                            "file's coordinates or the names of its dimensions say")
+                       help="whether x and y are longitude and latitude in degrees; default: by the units of a NetCDF "
+                            "file's coordinates or the names of its dimensions")
 
 
 def pair(text, what):

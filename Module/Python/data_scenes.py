@@ -5,7 +5,7 @@
     water = DataWater(scene, solution, depth="h", bed="zb", color_by="speed")
     water.show(300.0)
 
-What is drawn depends on the file and the time alone: the range of colours is that of all steps, and the colours of the
+The picture depends only on the file and the time: the range of colours is that of all steps, and the colours of the
 land and the view are those of the first step that has water.
 """
 import math
@@ -278,7 +278,7 @@ class DataWater:
 
 
 def normals_of(surface):
-    """A filter that gives the points of a surface their normals: its slopes turn what it reflects."""
+    """A filter that gives the points of a surface their normals, because its slopes change its reflections."""
     normals = vtkPolyDataNormals()
     normals.SplittingOff()
     normals.ConsistencyOff()
@@ -287,7 +287,7 @@ def normals_of(surface):
 
 
 def with_stated(mesh, name, factor):
-    """The mesh, with another array: that of colours in the unit that the file states, not in metres."""
+    """The mesh with another array: the one that colours the water, in the unit that the file states, not in metres."""
     made = mesh.NewInstance()
     made.ShallowCopy(mesh)
     of_points = mesh.GetPointData().GetArray(name) is not None

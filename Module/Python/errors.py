@@ -19,7 +19,7 @@ def ending(program):
 
 
 def text_of(error):
-    """Text of an exception; for an OSError the file, if known, and the reason without its number."""
+    """Text of an exception; for an OSError the file, if known, and the reason, without the error's number."""
     if not getattr(error, "strerror", None):
         return str(error)
     return f"{error.filename}: {error.strerror}" if error.filename else error.strerror

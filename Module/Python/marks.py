@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lines that lie on a water surface: contour lines, streamlines, arrows of lines.
+"""Lines that lie on a water surface: contour lines, streamlines, arrows made of lines.
 
     lay_on_water(actor)    # of lines that a filter made of the water's surface
 """
@@ -19,9 +19,9 @@ MOST = 60000.0  # nearly all of the depth buffer
 def lay_on_water(actor, nearer=NEARER):
     """Make the lines of an actor visible on the water surface on which they lie, and only there.
 
-    Without it, lines at the heights of a surface are broken, as on every surface in VTK. Clear water shows parts of
-    them again, refracted, and water that is not flat reflects them. This function draws the lines after the water and
-    a little nearer to the eye, and leaves them out of reflections. Objects in front of the water still hide
+    Without this function, lines at the heights of a surface are broken, as on every surface in VTK. Clear water shows
+    parts of them again, refracted, and water that is not flat reflects them. This function draws the lines after the
+    water and a little nearer to the eye, and leaves them out of reflections. Objects in front of the water still hide
     them. It changes no geometry, and may be called again.
 
     Crossing lines are blended where they cross, unless the renderer uses depth peeling. Polygons, such as filled
@@ -31,7 +31,7 @@ def lay_on_water(actor, nearer=NEARER):
     Parameters
     ----------
     actor : vtkActor
-        It shows a vtkPolyData without polygons. It keeps its colors and its line width.
+        It shows a vtkPolyData without polygons. It keeps its colours and its line width.
     nearer : float
         How much nearer the lines are drawn, in units of VTK's line offset, each 1.6e-5 of the depth buffer's range; in
         [0, 60000]. If lines are broken, choose a larger value: at low angles, and in views from far away. If they

@@ -53,8 +53,8 @@ def surface(water):
     vtkPolyData
         The wet part as it is shown, in the coordinates of the mesh: heights include VerticalScale, but no scale or
         transformation of the actor or the plotter. It has all arrays of the points and cells. If scalars colour the
-        water, their array is the active one, and the array "WaterColors" (3 bytes each, of points or cells as
-        the scalars) has their colours, without reflections and light. The mesh shares its arrays with the water: copy
+        water, their array is the active one, and the array "WaterColors" (3 bytes for each point or cell, as for the
+        scalars) has their colours, without reflections and light. The mesh shares its arrays with the water: copy
         it (DeepCopy) before you change them.
 
     Raises
@@ -184,7 +184,7 @@ def gauges(solution, points, *, level=None, depth=None, bed=None, dry_depth=None
     Warns
     -----
     UserWarning
-        If the file states a unit for one of the named arrays that is no known length.
+        If the file states a unit for one of the named arrays that is not a known unit of length.
     """
     from .solutions import odd_units  # it needs more of VTK than the others here
 
@@ -213,7 +213,7 @@ def gauges(solution, points, *, level=None, depth=None, bed=None, dry_depth=None
 
 
 def shoreline(water, mesh):
-    """Return where the water ends within a solver's mesh, as polylines: at its shores, and at dry land behind a dyke.
+    """Return the lines along which the water ends within a solver's mesh: at its shores, and at dry land behind a dyke.
 
     Parameters
     ----------
@@ -384,7 +384,7 @@ def places_of(points):
 
 
 def arrays_of(surface):
-    """The named arrays of numbers of a surface, and its heights; for each whether it is of points."""
+    """The named numeric arrays of a surface, and its heights; for each, whether it belongs to points."""
     found = {}
     for data, count, what in ((surface.GetCellData(), surface.GetNumberOfCells(), "cells"),
                               (surface.GetPointData(), surface.GetNumberOfPoints(), "points")):
@@ -452,7 +452,7 @@ def add_colors(shown, mapper):
 
 
 def flattened(surface):
-    """Its polygons and strips at z = 0, without arrays."""
+    """The polygons and strips of a surface at z = 0, without arrays."""
     flat = vtkPolyData()
     flat.CopyStructure(surface)
     flat.SetVerts(vtkCellArray())
@@ -478,7 +478,7 @@ def locator_of(surface):
 
 
 def boundary(surface):
-    """Edges of one cell only."""
+    """The edges that belong to only one cell."""
     edges = vtkFeatureEdges()
     edges.SetInputData(surface)
     edges.BoundaryEdgesOn()

@@ -4,7 +4,8 @@
     with open_movie("tide.gif", frames_per_second=12) as movie:
         movie.add(picture)    # rows x columns x RGB of 8 bits
 
-Finished pictures are kept, even if an exception ends the block. Without any, a file of that name stays as it was.
+Finished pictures are kept, even if an exception ends the block. If there is none, an existing file of that name does
+not change.
 `interrupts()` makes Ctrl-C wait until the current picture is complete:
 
     with interrupts() as is_stopped:
@@ -45,7 +46,7 @@ def open_movie(file, frames_per_second):
     """Open a movie for writing.
 
     Raises ValueError for an unknown file type, a missing package, or frames per second that are not finite or less than
-    LEAST_RATE; TypeError if they are no number; OSError like open.
+    LEAST_RATE; TypeError if they are not a number; OSError like open.
     """
     frames_per_second = number("frames_per_second", frames_per_second)
     if not (math.isfinite(frames_per_second) and frames_per_second >= LEAST_RATE):
@@ -69,7 +70,7 @@ def pillow(file):
 
 
 class Place:
-    """Where a movie goes. The file that is there is kept until the first picture is written."""
+    """The file of a movie. An existing file is kept until the first picture is written."""
 
     def __init__(self, file):
         self.file = Path(file)
@@ -78,7 +79,7 @@ class Place:
             pass  # an error is reported now, in Python's words
 
     def leave(self):
-        """No picture was made: leave no empty file."""
+        """Delete the empty file of a movie without pictures."""
         if self._is_new:
             self.file.unlink(missing_ok=True)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""NetCDF files by VTK's readers: a mesh of the UGRID conventions, otherwise a grid of CF's; and the units they state.
+"""NetCDF files by VTK's readers, with their units: a mesh by the UGRID conventions, otherwise a grid by CF's.
 
     source = open_netcdf(Path("tide.nc"))
     source.is_lonlat        # do its coordinates have the units degrees_east and degrees_north?
@@ -26,7 +26,7 @@ SAME = 1e-6  # of the width of a mesh: coordinates that differ less are the same
 
 
 def open_netcdf(path):
-    """A mesh of UGRID's conventions by VTK (from 9.2 on) or the package netCDF4, else a grid of CF's."""
+    """A UGRID mesh, read by VTK (from 9.2 on) or by the package netCDF4; otherwise a grid of the CF conventions."""
     hint = ""
     try:
         ugrid = reader_of("vtkIONetCDF", "vtkNetCDFUGRIDReader")
@@ -69,7 +69,7 @@ class Grid(Reader):
 
     @functools.cached_property
     def is_lonlat(self):
-        """By the names of the dimensions, or because VTK finds degrees and puts them on a sphere."""
+        """Whether x and y are degrees: the dimensions have such names, or VTK puts the points on a sphere."""
         north, east = (name.strip() for name in self._dimensions.strip("()").split(","))
         if re.match("lat", north, re.IGNORECASE) and re.match("lon", east, re.IGNORECASE):
             return True
@@ -145,7 +145,8 @@ def cf_reader(path):
 
 
 def check_dimensions(path):
-    """VTK's reader crashes if all variables with a place have an empty dimension, as of a run that has just begun.
+    """Check dimensions: VTK's reader crashes if all variables with a place have an empty one, as in a run that has just
+    begun.
 
     Needs the package netCDF4.
     """
@@ -165,7 +166,7 @@ def check_dimensions(path):
 
 
 def times_of(path):
-    """The times of a grid as the file has them: VTK's reader leaves out all that do not ascend, and does not say so.
+    """The times of a grid as the file has them: VTK's reader silently leaves out all that do not ascend.
 
     Empty without the package netCDF4, or if the file has no times.
     """
@@ -203,7 +204,7 @@ def values_of(strings):
 
 
 def hint_of_time(grids):
-    """VTK counts a time without units as a dimension of space."""
+    """A hint that VTK treats a time without units as a dimension of space; empty if there is no such time."""
     names = [name for grid in grids for name in re.findall(r"\w+", grid) if name.lower() in ("t", "time")]
     return (f"; the time {names[0]!r} has no units and counts as a dimension of space: give its variable the "
             "attribute units, such as 'seconds since 2000-01-01'" if names else "")

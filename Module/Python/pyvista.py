@@ -113,7 +113,7 @@ def add_water(
 
     flow : str, optional
         An array of the surface's points or cells with the velocity of a current, m/s, 2 or 3 components. It carries
-        the small waves: give the water some with ``preset``, ``wind`` or ``waves``, and set ``actor.time`` before each
+        small waves: give the water such waves with ``preset``, ``wind`` or ``waves``, and set ``actor.time`` before each
         frame (:vtk:`vtkWaterActor`'s ``FlowArrayName``).
 
     matter : str, optional
@@ -292,17 +292,17 @@ def add_water(
     Warns
     -----
     UserWarning
-        If PyVista's notebook backend is ``'client'`` or ``'html'``, because vtk.js draws no water; if the water's
-        level is below the whole terrain, which hides it; if it is above the whole scene by more than the scene's
-        diagonal; if the gap between the surface and the scene is larger than their two diagonals added together; if arrays of heights make
-        nothing wet, contradict each other or seem to have different units; or if one of the ``waves`` is steeper than
-        water waves can be, which break at a height of 0.142 of their length. The text names the scene's heights, or
-        both places, or the arrays and their ranges, or the wave.
+        If PyVista's notebook backend is ``'client'`` or ``'html'``, because vtk.js does not draw water; if the water's
+        level is below the whole terrain, which hides the water; if it is above the whole scene by more than the
+        scene's diagonal; if the gap between the surface and the scene is larger than the sum of their diagonals; if
+        arrays of heights make nothing wet, contradict each other or seem to have different units; or if one of the
+        ``waves`` is steeper than water waves can be, which break at a height of 0.142 of their length. The text names
+        the heights of the scene, the positions of surface and scene, the arrays and their ranges, or the wave.
 
     Notes
     -----
-    Rendering must happen on the server: ``pyvista.set_jupyter_backend('server')`` or ``'static'``, trame's
-    ``VtkRemoteView``.
+    In a notebook, rendering must happen on the server: call ``pyvista.set_jupyter_backend('server')`` or
+    ``('static')``. With trame, use ``VtkRemoteView``.
 
     Call ``Plotter.set_scale`` before ``add_water``, which also divides the water's depths by the vertical
     exaggeration: with ``units='m'`` the water is as clear as without it. The brightest scene light glitters on waves:

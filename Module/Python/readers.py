@@ -94,7 +94,7 @@ def kind_of(path, kinds):
 
 
 def is_no_data(values, no_data):
-    """Which numbers are a no-data value: files state it with more digits than pixels of 32 bits have."""
+    """Which numbers are the no-data value. Files state this value with more digits than pixels of 32 bits have."""
     if values.dtype != np.float32:
         return values == no_data
     with np.errstate(over="ignore"):
@@ -211,7 +211,7 @@ def marked(attributes, count, bit):
 
 @contextlib.contextmanager
 def heard(path, what):
-    """Turn an error that VTK reports in the block into a FileError, which says that path is not what."""
+    """Turn an error that VTK reports in the block into a FileError, which says that the file is not a ``what``."""
     log = vtkStringOutputWindow()
     shown, verbosity = vtkOutputWindow.GetInstance(), vtkLogger.GetCurrentVerbosityCutoff()
     vtkOutputWindow.SetInstance(log)
@@ -241,7 +241,7 @@ def run(reader, path, what):
 
 
 def reader_of(module, name):
-    """VTK's reader of this name; None where this VTK has none."""
+    """VTK's reader of this name; None if this version of VTK has none."""
     made = getattr(__import__(f"vtkmodules.{module}", fromlist=[name]), name, None)
     return made() if made else None
 
@@ -364,8 +364,8 @@ def read_tiff(path, no_data):
 def grid_of_tiff(path, no_data=None):
     """The numbers of a GeoTIFF file: rows from south to north, spacing, origin, no-data value or None, place.
 
-    Lengths in feet, and numbers whose vertical unit is feet, are converted to metres. The place is where the first
-    pixel is, in metres or degrees. For degrees the origin is (0, 0).
+    Lengths in feet, and numbers whose vertical unit is feet, are converted to metres. The place is the position of
+    the first pixel, in metres or degrees. For degrees the origin is (0, 0).
     """
     try:
         from PIL import Image

@@ -170,7 +170,8 @@ class Scene:
         """Extends the water beyond the ground on all sides.
 
         times : float
-            Distance, in multiples of the ground's largest extent: along x, along y, or its height with its mirror.
+            Distance, in multiples of the ground's largest extent: along x, along y, or its height with its mirror
+            image.
         """
         west, east, south, north, _, top = self._ground.data.GetBounds()
         reach = times * max(east - west, north - south, 2.0 * (top * self._exaggeration - self.water.GetLevel()))

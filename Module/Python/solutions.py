@@ -6,7 +6,8 @@
     mesh = solution.at(300.0)  # vtkPolyData, between two steps by vtkTemporalInterpolator
 
 VTK's readers read the files (sources.py); KINDS maps suffixes to readers. A FileError is raised if a file is missing,
-of an unknown type, not of the type that its suffix claims, or lacks one of the arrays; the text lists those there are.
+of an unknown type, not of the type that its suffix claims, or lacks one of the arrays; the text lists the existing
+ones.
 """
 import bisect
 import math
@@ -58,9 +59,9 @@ class Solution:
         Read cells of three dimensions, as an unstructured grid.
     is_lonlat : bool, optional
         Whether x and y are longitude and latitude in degrees. They are converted to metres from the south-western
-        corner, on a plane that touches the Earth in the middle of the mesh. By default the file tells: a NetCDF file
-        by the units of its coordinates (degrees_east, degrees_north) or the names of its dimensions, a GeoTIFF file
-        by its coordinate system.
+        corner, on a plane that touches the Earth in the middle of the mesh. The default follows from the units of the
+        coordinates of a NetCDF file (degrees_east, degrees_north) or the names of its dimensions, and from the
+        coordinate system of a GeoTIFF file.
     read_ahead : bool, default: False
         Read the next step in another process while this one is shown; for series of many steps. Meshes and errors stay
         the same; an error is raised when its step is requested. A step whose file changes after it was read ahead is
@@ -223,7 +224,7 @@ class Solution:
         return f" at time {self.times[i]:g}" if i else ""
 
     def _place(self, mesh):
-        """Metres in place of degrees, and no point that is out of all reach."""
+        """Convert degrees to metres, and check that no point is too far away."""
         places = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
         if self._is_lonlat:
             west, south, north = places[:, 0].min(), places[:, 1].min(), places[:, 1].max()
@@ -245,7 +246,7 @@ class Solution:
 
 
 class StepsSource(VTKPythonAlgorithmBase):
-    """A solution's steps as a source that vtkTemporalInterpolator can ask; the solution holds them already."""
+    """A solution's steps as a source for vtkTemporalInterpolator; the solution already holds them."""
 
     def __init__(self, solution, kind):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType=kind)
@@ -275,7 +276,7 @@ def array_of(mesh, name):
 
 
 def odd_units(solution, names):
-    """What to tell of arrays of heights whose unit is no known length: one text for each."""
+    """Warnings of arrays of heights whose unit is not a known unit of length, one text for each."""
     units = {name: solution.unit_of(name) for name in names if isinstance(name, str)}
     return [f"the unit of '{name}' is '{unit}', which is no known length; its values are taken as metres. Known are "
             f"{', '.join(METRES)}" for name, unit in units.items() if unit and unit.lower() not in METRES]
@@ -301,7 +302,7 @@ def have_same_cells(one, other):
 
 
 def lists_of(mesh):
-    """The arrays that tell the cells of a mesh: their points, where those of each start, and their types."""
+    """The arrays that define the cells of a mesh: their points, the offset of each cell's points, and their types."""
     parts = ("GetVerts", "GetLines", "GetPolys", "GetStrips") if mesh.IsA("vtkPolyData") else ("GetCells",)
     cells = [getattr(mesh, part)() for part in parts]
     lists = [array for part in cells for array in (part.GetConnectivityArray(), part.GetOffsetsArray())]
@@ -328,7 +329,7 @@ def leaves_of(data):
 
 
 def dimension_of(data):
-    """The most dimensions that a cell of a data set has."""
+    """The largest number of dimensions of a data set's cells."""
     types, cell, most = vtkCellTypes(), vtkGenericCell(), 0
     (data.GetDistinctCellTypes if hasattr(data, "GetDistinctCellTypes") else data.GetCellTypes)(types)  # VTK 9.6
     for i in range(types.GetNumberOfTypes()):
@@ -338,7 +339,7 @@ def dimension_of(data):
 
 
 def mesh_of(data, path, is_volume):
-    """One mesh of what a reader gives: polygons, or an unstructured grid of a volume."""
+    """One mesh from a reader's output: polygons, or an unstructured grid of a volume."""
     leaves = leaves_of(data)
     if not leaves:
         raise FileError(f"{path}: is empty: it has no cells")

@@ -28,9 +28,9 @@ def open_source(path):
 
 
 class Collection:
-    """The steps of a ParaView collection (.pvd): a file or some for each of its times.
+    """The steps of a ParaView collection (.pvd): one file or several for each of its times.
 
-    note: that two files of a time look like two steps; empty at first
+    note: a warning that two files of one time look like two steps; empty at first
     """
 
     is_lonlat, hint = False, ""

@@ -30,7 +30,7 @@ MOST_OFF = 1e-6  # of a pixel, between the places of two files
 
 
 def files_of(folder):
-    """The GeoTIFF files of a folder, sorted. A name that begins with a dot is macOS's, with metadata."""
+    """The GeoTIFF files of a folder, sorted; without those that begin with a dot, which are metadata of macOS."""
     return [file for file in sorted(Path(folder).iterdir())
             if file.suffix.lower() in SUFFIXES and not file.name.startswith(".")]
 
@@ -41,7 +41,7 @@ def is_stack(path):
 
 
 def date_of(stem):
-    """The array's name and the date that the name of a file ends with; None: it ends with none.
+    """The array's name and the date at the end of a file's name; None if it does not end with a date.
 
     20240115, 2024-01-15, 20240115T0630, 2024-01-15_06-30-00, 20240115063000Z, from the year 1800 to 2199.
     """
@@ -56,7 +56,7 @@ def date_of(stem):
 
 
 class TiffStack:
-    """The steps of such files. All must have the same pixels and place, and each array that has times must have all
+    """The steps of such files. All must have the same pixels and position, and each array that has times must have all
     of them.
 
     Places without data, by the file's own no-data value, are NaN, which is dry. Two arrays whose names end with _x and

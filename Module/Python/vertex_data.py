@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arrays of a surface that the water shows by itself: a current, matter in the water, foam.
+"""Arrays of a surface that change the look of the water itself: a current, matter in the water, foam.
 
     data = VertexData(matter="sediment", matter_absorption=(0.1, 0.3, 0.9), foam_by="froude", foam_measure="froude")
     data.check(surface)
@@ -104,7 +104,7 @@ class VertexData:
 
 
 def wrong_components(word, components):
-    """What is wrong with an array's number of components; an empty string: nothing."""
+    """What is wrong with an array's number of components; an empty string if nothing is."""
     wanted = COMPONENTS[word]
     if components in wanted:
         return ""

@@ -96,7 +96,7 @@ def plot(name, title, properties, found):
 
 def summary(found):
     """The table of all properties."""
-    lines = ["| property | cases | largest error | unit | of its bound |", "|---|---|---|---|---|"]
+    lines = ["| property | cases | largest error | unit | error / bound |", "|---|---|---|---|---|"]
     for name, each in found.items():
         entries = each.bins.values()
         lines.append(f"| {name} | {sum(entry[0] for entry in entries):,} | "
@@ -114,7 +114,7 @@ def by_condition(name, found):
         row[0] += entry[0]
         row[1] = max(row[1], entry[1])
         row[2] = max(row[2], entry[2])
-    lines = [f"| {each.condition} | cases | largest error, {each.unit} | of its bound |",
+    lines = [f"| {each.condition} | cases | largest error, {each.unit} | error / bound |",
              "|---|---|---|---|"]
     for decade, (count, error, ratio) in rows.items():
         lines.append(f"| 1e{decade} to 1e{decade + 2} | {count:,} | {number(error)} | "

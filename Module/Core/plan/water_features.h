@@ -20,22 +20,22 @@ extern "C"
 
 // X(name, what), in the order of their bits.
 #define WATER_FEATURE_LIST(X)                                                                      \
-  X(WAVES, "the normal is not the plane's")                                                        \
+  X(WAVES, "waves change the normal")                                                              \
   X(RAY_TRACED, "reflected rays are traced in the reflection texture")                             \
   X(OFFSET, "the texture is looked up at an offset")                                               \
   X(ENVIRONMENT, "a static picture is reflected, or the background")                               \
   X(MEDIUM, "the scene is visible through the surface")                                            \
   X(CAUSTICS, "waves focus light on the bed")                                                      \
-  X(GLITTER, "the sun in slopes that a pixel does not resolve")                                    \
+  X(GLITTER, "glitter of the sun on slopes that a pixel does not resolve")                         \
   X(SEA, "a wind sea on a tile")                                                                   \
-  X(NORMAL_MAPS, "one or two normal maps move over it")                                            \
+  X(NORMAL_MAPS, "one or two normal maps move over the water")                                     \
   X(ROUGH, "several facets per pixel")                                                             \
   X(DISPLACED, "waves displace the surface")                                                       \
-  X(FOAM, "at the shore and on crests")                                                            \
+  X(FOAM, "foam at the shore and on crests")                                                       \
   X(SHADOWS, "shadows on glitter and foam")                                                        \
   X(OUTPUT, "the pixel shows the source of its colour")                                            \
   X(TRANSLUCENT, "the reflection texture has a layer of translucent props")                        \
-  X(SEVERAL_RAYS, "several rays if a neighbour has another colour")                                \
+  X(SEVERAL_RAYS, "several rays if a neighbouring pixel has another colour")                       \
   X(ENCLOSED, "a mesh in the reflection texture may be the sky")                                   \
   X(PEELED, "the reflection texture has a peel: a second layer of depth")                          \
   X(HARDWARE_RAYS, "hardware: reads of a ray are issued together")                                 \
@@ -51,14 +51,14 @@ extern "C"
   X(SKY_CUBE, "the sky is a cube map")                                                             \
   X(SKY_FLOOR, "a skybox has a floor")                                                             \
   X(SLOPED, "a user's mesh that is not flat: rays follow its slopes")                              \
-  X(HULLS, "hulls float in it, with no water inside")                                              \
+  X(HULLS, "hulls float in the water, with no water inside")                                       \
   X(PORT, "a camera behind a dome port, which may be half under water")                            \
   X(FLOW, "a current carries the waves over a user's mesh")                                        \
   X(GROUND, "there is ground under all of the water")                                              \
   X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once a pixel")             \
   X(MATTER, "data give the concentration of matter in the water")                                  \
   X(FOAM_DATA, "data give the foam cover")                                                         \
-  X(SKY_VIEW, "what may be the sky has a view of its own")                                         \
+  X(SKY_VIEW, "meshes that may be the sky have a view of their own")                               \
   X(SHORE, "a user's mesh is cut at the shore while it is drawn")                                  \
   X(OPEN, "open water: no ground is under it")                                                     \
   X(BELOW_LAYER, "the own view has a layer of translucent props")
@@ -97,12 +97,14 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(mixture, vtkWaterMatter, WATER_FEATURE_FLAG(MATTER) | WATER_FEATURE_FLAG(MEDIUM), 0,           \
     "water that carries matter")                                                                   \
   X(scattered, vtkWaterHaze, WATER_FEATURE_FLAG(MEDIUM), 0,                                        \
-    "light that the water scatters towards an eye in it")                                          \
+    "light that the water scatters towards an eye under water")                                    \
   X(slopes, vtkWaterSlopes, WATER_FEATURE_FLAG(GLITTER), 0, "slopes as a distribution")            \
-  X(highlights, vtkWaterHighlights, WATER_FEATURE_FLAG(GLITTER), 0, "light over white")            \
+  X(highlights, vtkWaterHighlights, WATER_FEATURE_FLAG(GLITTER), 0, "light brighter than white")   \
   X(cover, vtkWaterFoamCover, WATER_FEATURE_FLAG(FOAM), 0, "foam coverage")                        \
-  X(measure, vtkWaterFoamMeasure, WATER_FEATURE_FLAG(FOAM_DATA), 0, "foam cover from a measure")   \
-  X(gain, vtkWaterFlowGain, WATER_FEATURE_FLAG(FLOW), 0, "two layers of waves as steep as one")    \
+  X(measure, vtkWaterFoamMeasure, WATER_FEATURE_FLAG(FOAM_DATA), 0,                                \
+    "foam cover from a Froude number or a breaking index")                                         \
+  X(gain, vtkWaterFlowGain, WATER_FEATURE_FLAG(FLOW), 0,                                           \
+    "makes two layers of waves as steep as one")                                                   \
   X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0,                                          \
     "the part of a wave that a grid resolves")                                                     \
   X(place, vtkWaterDisplacementFS, WATER_FEATURE_FLAG(DISPLACED), 0,                               \
@@ -127,11 +129,12 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(clarity, vtkWaterMatterFS, WATER_FEATURE_FLAG(MATTER), 0, "matter in the water, from data")    \
   X(clarity, vtkWaterClarityFS, 0, WATER_FEATURE_FLAG(MATTER), "the same water everywhere")        \
   X(point, vtkWaterPointFS, 0, 0, "values that all slots share")                                   \
-  X(pixel, vtkWaterPixelFS, 0, WATER_FEATURE_FLAG(BUFFERED), "depth and changes, of the triangle") \
+  X(pixel, vtkWaterPixelFS, 0, WATER_FEATURE_FLAG(BUFFERED),                                       \
+    "depth and derivatives, from the triangle")                                                    \
   X(pixel, vtkWaterBufferPixelFS, WATER_FEATURE_FLAG(BUFFERED), 0,                                 \
-    "depth and changes, from a buffer")                                                            \
+    "depth and derivatives, from a buffer")                                                        \
   X(hulls, vtkWaterHullsFS, WATER_FEATURE_FLAG(HULLS), 0, "no water inside hulls")                 \
-  X(hulls, vtkWaterNoHullsFS, 0, WATER_FEATURE_FLAG(HULLS), "no hulls float in it")                \
+  X(hulls, vtkWaterNoHullsFS, 0, WATER_FEATURE_FLAG(HULLS), "no hulls in the water")               \
   X(sky, vtkWaterSkyColorFS, 0, WATER_FEATURES_SKY, "the background: one colour")                  \
   X(sky, vtkWaterSkyScreenFS, WATER_FEATURE_FLAG(SKY_SCREEN), 0,                                   \
     "the background: a picture, or a gradient")                                                    \
@@ -150,7 +153,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(folds, vtkWaterSeaFoldsFS, WATER_FEATURE_FLAG(SEA_MOVES) | WATER_FEATURE_FLAG(WHITECAPS), 0,   \
     "spacing of a wind sea's points")                                                              \
   X(folds, vtkWaterNoSeaFoldsFS, WATER_FEATURE_FLAG(WAVES),                                        \
-    WATER_FEATURE_FLAG(SEA_MOVES) | WATER_FEATURE_FLAG(WHITECAPS), "not known")                    \
+    WATER_FEATURE_FLAG(SEA_MOVES) | WATER_FEATURE_FLAG(WHITECAPS), "none")                         \
   X(sea, vtkWaterSeaFS, WATER_FEATURE_FLAG(SEA), 0, "wind sea")                                    \
   X(sea, vtkWaterNoSeaFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(SEA), "none")              \
   X(normal_maps, vtkWaterNormalMapsFS, WATER_FEATURE_FLAG(NORMAL_MAPS), 0,                         \
@@ -159,7 +162,8 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     WATER_FEATURE_FLAG(NORMAL_MAPS), "none")                                                       \
   X(flow, vtkWaterFlowFS, WATER_FEATURE_FLAG(FLOW), 0, "a current carries the waves")              \
   X(flow, vtkWaterNoFlowFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(FLOW), "none")           \
-  X(waves, vtkWaterRippleFS, WATER_FEATURE_FLAG(WAVES), 0, "the normal, from the last three")      \
+  X(waves, vtkWaterRippleFS, WATER_FEATURE_FLAG(WAVES), 0,                                         \
+    "the normal, from sines, sea and normal maps")                                                 \
   X(waves, vtkWaterNoWavesFS, 0, WATER_FEATURE_FLAG(WAVES), "calm: the plane's normal")            \
   X(output, vtkWaterOutputFS, WATER_FEATURE_FLAG(OUTPUT), 0, "confidence, lookup or reflectance")  \
   X(output, vtkWaterNoOutputFS, 0, WATER_FEATURE_FLAG(OUTPUT), "colour")                           \
@@ -169,22 +173,24 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(reflection, vtkWaterOffsetFS, WATER_FEATURE_FLAG(OFFSET), 0, "offset lookup")                  \
   X(reflection, vtkWaterMirrorFS, 0,                                                               \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
-    "calm: the pixel's own place")                                                                 \
+    "calm: lookup at the pixel's own position")                                                    \
   X(dome, vtkWaterDomeFS, WATER_FEATURE_FLAG(ENCLOSED), WATER_FEATURE_FLAG(SKY_VIEW),              \
     "undrawn texels have no colour")                                                               \
   X(dome, vtkWaterSkyDomeFS, WATER_FEATURE_FLAG(SKY_VIEW), 0, "the sky has a view of its own")     \
-  X(dome, vtkWaterNoDomeFS, 0, WATER_FEATURE_FLAG(ENCLOSED), "it is the background")               \
-  X(end, vtkWaterSkyEndFS, WATER_FEATURE_FLAG(SKY_VIEW), 0, "in a mesh that may be the sky")       \
+  X(dome, vtkWaterNoDomeFS, 0, WATER_FEATURE_FLAG(ENCLOSED),                                       \
+    "undrawn texels have the background's colour")                                                 \
+  X(end, vtkWaterSkyEndFS, WATER_FEATURE_FLAG(SKY_VIEW), 0,                                        \
+    "a ray that meets nothing ends in a mesh that may be the sky")                                 \
   X(end, vtkWaterNoSkyEndFS,                                                                       \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
-    WATER_FEATURE_FLAG(SKY_VIEW), "where nothing was drawn")                                       \
+    WATER_FEATURE_FLAG(SKY_VIEW), "a ray ends where nothing was drawn")                            \
   X(walk, vtkWaterRayWalkFS, WATER_FEATURE_FLAG(RAY_TRACED), WATER_FEATURE_FLAG(HARDWARE_RAYS),    \
     "sequential reads")                                                                            \
   X(walk, vtkWaterHardwareRaysFS, WATER_FEATURE_FLAG(HARDWARE_RAYS), 0, "several reads at once")   \
   X(behind, vtkWaterBehindFS, WATER_FEATURE_FLAG(PEELED), 0, "rays continue behind edges")         \
   X(behind, vtkWaterNoBehindFS,                                                                    \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
-    WATER_FEATURE_FLAG(PEELED), "they end there")                                                  \
+    WATER_FEATURE_FLAG(PEELED), "rays end at edges")                                               \
   X(layer, vtkWaterTranslucentLayerFS, WATER_FEATURE_FLAG(TRANSLUCENT), 0,                         \
     "translucent props, and blur")                                                                 \
   X(layer, vtkWaterNoTranslucentLayerFS,                                                           \
@@ -192,16 +198,16 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     WATER_FEATURE_FLAG(TRANSLUCENT), "none")                                                       \
   X(blur, vtkWaterBlurFS, WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET),             \
     WATER_FEATURE_FLAG(TRANSLUCENT) | WATER_FEATURE_FLAG(HARDWARE_FACETS),                         \
-    "facets blurred over their distance")                                                          \
+    "facets, blurred over the distance between them")                                              \
   X(blur, vtkWaterHardwareBlurFS, WATER_FEATURE_FLAG(HARDWARE_FACETS),                             \
-    WATER_FEATURE_FLAG(TRANSLUCENT), "the same, all of them at once")                              \
+    WATER_FEATURE_FLAG(TRANSLUCENT), "the same, all facets at once")                               \
   X(blur, vtkWaterNoBlurFS, WATER_FEATURE_FLAG(ENVIRONMENT), 0, "none")                            \
   X(caustics, vtkWaterCausticsFS, WATER_FEATURE_FLAG(CAUSTICS), 0, "light that waves focus")       \
   X(caustics, vtkWaterNoCausticsFS, 0, WATER_FEATURE_FLAG(CAUSTICS), "none")                       \
   X(picture, vtkWaterMediumPictureFS, WATER_FEATURE_FLAG(MEDIUM), 0,                               \
     "what is below the surface, as a picture with depths")                                         \
   X(haze, vtkWaterHazeFS, WATER_FEATURE_FLAG(MEDIUM), 0,                                           \
-    "what the water before an eye in it adds")                                                     \
+    "light that the water in front of an eye under water adds")                                    \
   X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0,                                       \
     "the scene, refracted and attenuated")                                                         \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \
@@ -210,7 +216,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(below, vtkWaterNoBelowLayerFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(BELOW_LAYER),    \
     "none")                                                                                        \
   X(shafts, vtkWaterShaftsFS, WATER_FEATURE_FLAG(CAUSTICS), 0,                                     \
-    "the same, in the water in front of an eye in it")                                             \
+    "light shafts: caustics in the water in front of an eye under water")                          \
   X(shafts, vtkWaterNoShaftsFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(CAUSTICS), "none")  \
   X(others, vtkWaterOthersFS, WATER_FEATURE_FLAG(SAMPLES), 0,                                      \
     "several rays of a multisampled pixel")                                                        \
@@ -223,7 +229,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(ground, vtkWaterGroundFS, WATER_FEATURE_FLAG(GROUND), 0,                                       \
     "what a ray meets outside the picture")                                                        \
   X(ground, vtkWaterOpenFS, WATER_FEATURE_FLAG(OPEN), WATER_FEATURE_FLAG(GROUND),                  \
-    "deep water, also for what is hidden")                                                         \
+    "deep water, also where something hides the end of a ray")                                     \
   X(ground, vtkWaterNoGroundFS, WATER_FEATURE_FLAG(MEDIUM),                                        \
     WATER_FEATURE_FLAG(GROUND) | WATER_FEATURE_FLAG(OPEN), "deep water")                           \
   X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0, "the slopes of the facets") \
@@ -245,7 +251,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(foam_data, vtkWaterFoamDataFS, WATER_FEATURE_FLAG(FOAM_DATA), 0, "foam, from data")            \
   X(foam_data, vtkWaterNoFoamDataFS, WATER_FEATURE_FLAG(FOAM), WATER_FEATURE_FLAG(FOAM_DATA),      \
     "none")                                                                                        \
-  X(foam, vtkWaterFoamFS, WATER_FEATURE_FLAG(FOAM), 0, "at the shore and on crests")               \
+  X(foam, vtkWaterFoamFS, WATER_FEATURE_FLAG(FOAM), 0, "foam at the shore and on crests")          \
   X(foam, vtkWaterNoFoamFS, 0, WATER_FEATURE_FLAG(FOAM), "none")                                   \
   X(sun, vtkWaterSunFS, WATER_FEATURE_FLAG(GLITTER) | WATER_FEATURE_FLAG(FOAM), 0,                 \
     "the sun on glitter and foam")                                                                 \
@@ -280,18 +286,18 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(place, vtkWaterNoDisplacementFS, 0, 0, "place at rest, from the pixel")                        \
   X(height, vtkWaterPixelHeightFS, 0, 0, "height above the plane, from the pixel's depth")         \
   X(point, vtkWaterPointFS, 0, 0, "values that all slots share, and the sun")                      \
-  X(pixel, vtkWaterPixelFS, 0, 0, "depth and changes, of the fragment")                            \
+  X(pixel, vtkWaterPixelFS, 0, 0, "depth and derivatives, from the fragment")                      \
   X(tile, vtkWaterPhotonTileFS, 0, 0, "slopes from a texture that repeats, smooth between points") \
   X(sines, vtkWaterWavesFS, 0, 0, "sine and Gerstner waves")                                       \
   X(tiles, vtkWaterSeaTiles, WATER_FEATURE_FLAG(SEA), 0, "tiles of a wind sea")                    \
-  X(folds, vtkWaterNoSeaFoldsFS, 0, 0, "for a sea without horizontal displacement")                \
+  X(folds, vtkWaterNoSeaFoldsFS, 0, 0, "none: the sea has no horizontal displacement")             \
   X(sea, vtkWaterSeaFS, WATER_FEATURE_FLAG(SEA), 0, "wind sea")                                    \
   X(sea, vtkWaterNoSeaFS, 0, WATER_FEATURE_FLAG(SEA), "none")                                      \
   X(normal_maps, vtkWaterNormalMapsFS, WATER_FEATURE_FLAG(NORMAL_MAPS), 0,                         \
     "normal maps that move")                                                                       \
   X(normal_maps, vtkWaterNoNormalMapsFS, 0, WATER_FEATURE_FLAG(NORMAL_MAPS), "none")               \
   X(flow, vtkWaterNoFlowFS, 0, 0, "no current: caustics treat waves as at rest")                   \
-  X(waves, vtkWaterRippleFS, 0, 0, "the normal, from the last three")                              \
+  X(waves, vtkWaterRippleFS, 0, 0, "the normal, from sines, sea and normal maps")                  \
   X(photon, vtkWaterPhotonFS, 0, 0, "where the light of a point reaches the bed")
 
 // Files of the shader with which a user's mesh writes its surface into a buffer, in order: the
@@ -328,7 +334,7 @@ typedef enum water_lookup_kind
   X(has_refraction, "the scene is visible through the surface")                                    \
   X(is_opaque, "drawn with the opaque geometry")                                                   \
   X(has_caustics, "waves focus light under water")                                                 \
-  X(has_glitter, "the sun in slopes that a pixel does not resolve")                                \
+  X(has_glitter, "glitter of the sun on slopes that a pixel does not resolve")                     \
   X(has_foam, "at the shore or on crests")                                                         \
   X(has_shadows, "on glitter and foam")                                                            \
   X(has_output, "other than the colour")
