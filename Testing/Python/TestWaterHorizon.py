@@ -566,3 +566,20 @@ def test_a_transform_of_the_user_is_followed_by_nothing():
     transform.Translate(5, 6, 7)
     water.SetUserTransform(transform)
     check_same("turned actor", scene(water).picture(), first, 2)
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_far_waves_along_the_view_have_no_step(is_software, monkeypatch):
+    """A wave whose crests run away from the eye is ever rougher to both sides: below the horizon its colour changes
+    evenly. Pixels with few slopes had one facet, and rectangles with hard edges."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    view = wt.View((400, 200), (0.9, 0.9, 0.9))
+    water = horizon_water(0.0)
+    water.GetWaterProperty().AddWave(0.05, 3, 0)
+    view.renderer.AddActor(water)
+    place(view, (0, -15, 2), (0, 0, 0), (0.1, 2000), angle=30)
+    picture = view.picture()[:, :, 0]
+    horizon = int(np.flatnonzero(np.abs(np.diff(picture[:, 20])) > 20)[-1])
+    below = picture[horizon - 4:horizon - 1]
+    wt.check_at_least("the waves darken the water to the side by", int((below[:, 200] - below[:, 10]).min()), 25)
+    wt.check_at_most("largest step from pixel to pixel", int(np.abs(np.diff(below, axis=1)).max()), 6)

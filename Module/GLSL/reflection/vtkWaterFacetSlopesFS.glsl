@@ -8,6 +8,9 @@
 // Source: Abramowitz and Stegun 1964, "Handbook of Mathematical Functions", table 25.10.
 
 const float WATER_ROUGH = 1e-3; // slope variance whose reflection blurs by four degrees
+// At a low angle even small slopes change how much is reflected: a pixel has one facet only if they differ by no more than
+// 22 % of the sine of the angle at which the eye sees the plane. This is the square.
+const float WATER_GRAZING = 0.05;
 
 // Cumulative normal distribution, within 2e-4.
 // Source: Page 1977, "Approximations to the Cumulative Normal Function and its Inverse for Use on a
@@ -46,9 +49,12 @@ vec2 waterFacetSlopes(WaterPoint point, float spread)
 }
 
 // Number of facets that represent slopes of this variance.
-int waterFacetCount(float variance)
+//
+// sine  of the angle at which the eye sees the plane
+int waterFacetCount(float variance, float sine)
 {
-  int count = variance > WATER_ROUGH ? 4 : (variance > waterSmooth ? 2 : 1);
+  float even = min(waterSmooth, WATER_GRAZING * sine * sine);
+  int count = variance > WATER_ROUGH ? 4 : (variance > even ? 2 : 1);
   return waterShowsMean() ? 1 : count;
 }
 

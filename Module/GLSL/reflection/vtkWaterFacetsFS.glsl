@@ -13,7 +13,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
 {
   vec2 azimuth = waterAzimuth(point);
   float variance = dot(point.variance.xy, azimuth * azimuth);
-  int count = waterFacetCount(variance);
+  int count = waterFacetCount(variance, point.ray.z);
   bool isOne = count == 1;
   vec2 slopes = isOne ? vec2(0.0) : waterFacetSlopes(point, sqrt(variance));
   waterSpread = isOne ? 0.0 : waterFacetSpread(slopes.y, count);

@@ -147,7 +147,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
 {
   vec2 azimuth = waterAzimuth(point);
   float variance = dot(point.variance.xy, azimuth * azimuth);
-  int count = waterFacetCount(variance);
+  int count = waterFacetCount(variance, point.ray.z);
   vec3 reflected = vec3(0.0);
   if (count == 1)
   {
