@@ -277,7 +277,8 @@ TEST(lakes_are_level_at_most_of_the_shore)
 {
   assert_true(water_shore_are_lakes(3, 2));
   assert_false(water_shore_are_lakes(2, 2));
-  assert_false(water_shore_are_lakes(0, 0));
+  assert_true(water_shore_are_lakes(0, 0)); // ponds of one place each
+  assert_false(water_shore_are_lakes(0, 1));
 }
 
 // Half of the way, if the divide's bed is as high over the level as the water is deep; at the

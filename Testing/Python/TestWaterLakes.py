@@ -276,6 +276,54 @@ def test_lakes_with_a_ridge_between_end_at_their_own_levels(direction, top, cut)
     check_exact(view, seen, waters)
 
 
+HALF = 0.5 * np.sqrt(3.0)
+# Corners of a mesh, its cells, the wet points of two lakes, the areas of both; the shore is in the middle of each side.
+DIVIDED = {
+    "ponds of a point": ([(x, y) for y in range(3) for x in range(5)],
+                         [(i, i + 1, i + 6, i + 5) for i in (0, 1, 2, 3, 5, 6, 7, 8)], (6,), (8,), 0.5),
+    "corners of a quad": ([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2, 3)], (0,), (2,), 0.125),
+    "sides of a hexagon": ([(1, 0), (0.5, HALF), (-0.5, HALF), (-1, 0), (-0.5, -HALF), (0.5, -HALF)],
+                           [(0, 1, 2, 3, 4, 5)], (0, 1), (3, 4), 0.625 * HALF),
+}
+
+
+@pytest.mark.parametrize("turn", range(3))
+@pytest.mark.parametrize("name", DIVIDED)
+def test_lakes_in_one_cell_or_around_one_point_stay_apart(name, turn):
+    """Land between them has no level of its own, however few neighbours show that they are lakes."""
+    corners, polygons, left, right, area = DIVIDED[name]
+    mesh, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    for x, y in corners:
+        points.InsertNextPoint(x, y, 0.0)
+    for polygon in polygons:
+        cells.InsertNextCell(len(polygon))
+        for corner in np.roll(polygon, turn):
+            cells.InsertCellPoint(corner)
+    mesh.SetPoints(points)
+    mesh.SetPolys(cells)
+    bed, depth = np.full(len(corners), 2.0), np.zeros(len(corners))
+    bed[list(left)], bed[list(right)] = 2.0 * LEFT - 2.0, 2.0 * RIGHT - 2.0  # as far below the level as land is above it
+    depth[list(left)], depth[list(right)] = 2.0 - LEFT, 2.0 - RIGHT
+    set_array(mesh, "zb", bed)
+    set_array(mesh, "h", depth)
+    surface = vtkWaterSurfaceFilter()
+    surface.SetInputData(mesh)
+    surface.SetDepthArrayName("h")
+    surface.SetBedArrayName("zb")
+    planes = vtkWaterPlanesFilter()
+    planes.SetInputConnection(surface.GetOutputPort())
+    planes.Update()
+    blocks = [planes.GetOutput().GetBlock(i) for i in range(planes.GetOutput().GetNumberOfBlocks())]
+    heights = [vtk_to_numpy(block.GetPoints().GetData())[:, 2] for block in blocks]
+    wt.check_equal("levels", sorted({round(z, 12) for part in heights for z in part}), [RIGHT, LEFT])
+    wt.check_equal("lakes", len(blocks), 2)
+    for block, part in zip(blocks, heights):
+        wt.check_equal("one level", float(np.ptp(part)), 0.0)
+        made = block.GetFieldData().GetArray("WaterArea").GetComponent(0, 0)
+        wt.check_at_most("area off by", abs(made - area), 1e-12)
+
+
 def test_lakes_at_one_level_share_a_plane():
     lakes = lakes_of(mesh_of((0.0, 0.2, 0.0, 0.2, 0.0)))
     view = view_of(things())

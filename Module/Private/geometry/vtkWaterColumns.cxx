@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <unordered_map>
 
 namespace
@@ -59,6 +60,32 @@ public:
 private:
   double Sum = 0.0;
   int Count = 0;
+};
+
+// The range of numbers.
+class Range
+{
+public:
+  Range() = default;
+  explicit Range(double value)
+    : Lowest(value)
+    , Highest(value)
+  {
+  }
+  void Add(const Range& other)
+  {
+    this->Lowest = std::min(this->Lowest, other.Lowest);
+    this->Highest = std::max(this->Highest, other.Highest);
+  }
+  // Do the numbers of two waters differ?
+  bool IsApart(double dryDepth) const
+  {
+    return water_shore_are_apart(this->Lowest, this->Highest, dryDepth);
+  }
+
+private:
+  double Lowest = std::numeric_limits<double>::infinity(); // of none
+  double Highest = -std::numeric_limits<double>::infinity();
 };
 
 // One for each point of a mesh.
@@ -293,20 +320,22 @@ void vtkWaterColumns::SpreadOver(
   vtkPolyData* mesh, const std::vector<std::vector<vtkIdType>>& shores)
 {
   std::unordered_map<vtkIdType, Mean> means; // of the points beside the water: few
-  size_t pairs = 0;                          // of wet points of a cell
-  size_t uneven = 0;                         // of these, with different levels
+  size_t even = 0;                           // sides of cells with two wet points at one level
+  size_t uneven = 0;                         // those at different levels
   const auto add = [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
     Mean own;
     const auto isWet = [this](
                          vtkIdType point) { return this->IsWet[static_cast<size_t>(point)] != 0; };
-    double before = vtkMath::Nan(); // the level of the last wet one
     for (vtkIdType i = 0; i < count; ++i)
     {
-      const double here = isWet(points[i]) ? this->Levels[points[i]] : vtkMath::Nan();
-      own.Add(here);
-      uneven += water_shore_are_apart(before, here, this->DryDepth) ? 1 : 0;
-      pairs += vtkMath::IsFinite(here - before) ? 1 : 0;
-      before = vtkMath::IsFinite(here) ? here : before;
+      const vtkIdType next = points[(i + 1) % count];
+      own.Add(isWet(points[i]) ? this->Levels[points[i]] : vtkMath::Nan());
+      if (isWet(points[i]) && isWet(next))
+      {
+        ++(water_shore_are_apart(this->Levels[points[i]], this->Levels[next], this->DryDepth)
+            ? uneven
+            : even);
+      }
     }
     for (vtkIdType i = 0; i < count; ++i)
     {
@@ -328,7 +357,7 @@ void vtkWaterColumns::SpreadOver(
     this->Levels[point] = mean.Get();
     this->Finish(point);
   }
-  if (this->IsCellWet.empty() && water_shore_are_lakes(pairs - uneven, uneven))
+  if (this->IsCellWet.empty() && water_shore_are_lakes(even, uneven))
   {
     this->FindDivides(mesh, shores);
   }
@@ -338,27 +367,25 @@ void vtkWaterColumns::SpreadOver(
 void vtkWaterColumns::FindDivides(
   vtkPolyData* mesh, const std::vector<std::vector<vtkIdType>>& shores)
 {
-  std::unordered_map<vtkIdType, double> beside; // the level of the first lake beside a dry point
+  std::unordered_map<vtkIdType, Range> beside; // the levels beside a dry point
   const auto isWet = [this](
                        vtkIdType point) { return this->IsWet[static_cast<size_t>(point)] != 0; };
-  const auto areApart = [this](double first, double second) {
-    return water_shore_are_apart(first, second, this->DryDepth);
-  };
   const auto add = [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-    if (count == 4 && isWet(points[0]) && isWet(points[2]) && !isWet(points[1]) &&
-      !isWet(points[3]) && areApart(this->Levels[points[0]], this->Levels[points[2]]))
+    Range own;
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      this->Divides.Quads.insert(cell);
+      own.Add(isWet(points[i]) ? Range(this->Levels[points[i]]) : Range());
     }
-    for (vtkIdType i = 0; i < count * count; ++i)
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      const vtkIdType wet = points[i / count];
-      const vtkIdType dry = points[i % count];
-      if (isWet(wet) && !isWet(dry) &&
-        areApart(beside.emplace(dry, this->Levels[wet]).first->second, this->Levels[wet]))
+      if (!isWet(points[i]))
       {
-        this->Divides.Beds[dry] = this->Beds[static_cast<size_t>(dry)];
+        beside[points[i]].Add(own);
       }
+    }
+    if (own.IsApart(this->DryDepth))
+    {
+      this->Divides.Cells.insert(cell);
     }
   };
   for (const std::vector<vtkIdType>& ofBlock : shores)
@@ -368,9 +395,14 @@ void vtkWaterColumns::FindDivides(
       vtkWaterForCells(mesh->GetPolys(), cell, cell + 1, add);
     }
   }
-  for (const auto& [point, bed] : this->Divides.Beds)
+  for (const auto& [point, levels] : beside)
   {
-    this->Depths[point] = water_shore_depth(false, vtkMath::Nan(), bed);
+    if (levels.IsApart(this->DryDepth))
+    {
+      const double bed = this->Beds[static_cast<size_t>(point)];
+      this->Divides.Beds[point] = bed;
+      this->Depths[point] = water_shore_depth(false, vtkMath::Nan(), bed);
+    }
   }
 }
 
