@@ -421,6 +421,28 @@ def test_parts_without_a_plane_reflect_the_sky_and_the_others_are_exact(planes):
     wt.check_equal("warnings", warnings, [])
 
 
+def test_waters_that_the_caller_adds_are_mirrored_except_the_rest():
+    """Without AddTo nobody chooses the mirrored views: all waters have one, but for that of parts without a plane."""
+    lakes = lakes_of(mesh_of(LEVELS[:3]), MaximumNumberOfPlanes=1)
+    lakes.Update()
+    lakes.SetMaximumNumberOfPlanes(2)  # the second water was the rest, and now the third is
+    lakes.Update()
+    view = view_of(things())
+    for _ in range(2):
+        for water in waters_of(lakes):
+            view.renderer.AddActor(water)
+        before = renders_of(waters_of(lakes))
+        view.renderer.GetActiveCamera().Azimuth(1)
+        view.picture()
+        made = [after - first for after, first in zip(renders_of(waters_of(lakes)), before)]
+        wt.check_equal("mirrored views", made, [1, 1, 0])
+        for water in waters_of(lakes):
+            view.renderer.RemoveActor(water)
+        lakes.AddTo(view.renderer)
+        view.picture()
+        lakes.RemoveFrom(view.renderer)
+
+
 def test_waters_follow_the_mesh():
     """Lakes that join are one, at one level, and lakes that rise have new planes."""
     lakes = lakes_of(mesh_of((0.0, 0.2)))
