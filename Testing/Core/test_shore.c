@@ -275,8 +275,8 @@ TEST(levels_of_two_waters_are_apart)
 
 TEST(lakes_are_level_at_most_of_the_shore)
 {
-  assert_true(water_shore_are_lakes(3, 2));
-  assert_false(water_shore_are_lakes(2, 2));
+  assert_true(water_shore_are_lakes(5, 2));
+  assert_false(water_shore_are_lakes(4, 2));
   assert_true(water_shore_are_lakes(0, 0)); // ponds of one place each
   assert_false(water_shore_are_lakes(0, 1));
 }

@@ -324,6 +324,32 @@ def test_lakes_in_one_cell_or_around_one_point_stay_apart(name, turn):
         wt.check_at_most("area off by", abs(made - area), 1e-12)
 
 
+@pytest.mark.parametrize("wide", (1, 2, 3))
+def test_lakes_of_cells_with_a_ridge_between_end_at_their_own_levels(wide):
+    """The lake on the left is deep: at the points between its cells and the ridge, the mean bed is under water."""
+    mesh = mesh_of((0.0,), rows=4, columns=14, width=13.0, depth=3.0)
+    column = np.tile(np.arange(13), 3)
+    is_left, is_right = column < 6, column >= 6 + wide
+    is_dry = ~(is_left | is_right)
+    level = np.where(is_left, LEFT, RIGHT)
+    bed = np.where(is_dry, 0.9, np.where(is_left, LEFT - 1.2, RIGHT - 0.02))
+    for name, values in (("zb", bed), ("h", (level - bed) * ~is_dry)):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        mesh.GetCellData().AddArray(array)
+    surface = vtkWaterSurfaceFilter()
+    surface.SetInputData(mesh)
+    surface.SetDepthArrayName("h")
+    surface.SetBedArrayName("zb")
+    planes = vtkWaterPlanesFilter()
+    planes.SetInputConnection(surface.GetOutputPort())
+    planes.Update()
+    made = planes.GetOutput()
+    heights = [vtk_to_numpy(made.GetBlock(i).GetPoints().GetData())[:, 2] for i in range(made.GetNumberOfBlocks())]
+    wt.check_equal("lakes", sorted({round(z, 12) for part in heights for z in part}), [RIGHT, LEFT])
+    wt.check_equal("levels", [float(np.ptp(part)) for part in heights], [0.0, 0.0])
+
+
 def test_lakes_at_one_level_share_a_plane():
     lakes = lakes_of(mesh_of((0.0, 0.2, 0.0, 0.2, 0.0)))
     view = view_of(things())

@@ -100,7 +100,7 @@ bool water_shore_are_apart(double level, double other, double dry_depth)
 
 bool water_shore_are_lakes(size_t level, size_t uneven)
 {
-  return uneven == 0 || level > uneven;
+  return uneven == 0 || level > 2 * uneven;
 }
 
 double water_shore_before_divide(double depth, double level, double bed)

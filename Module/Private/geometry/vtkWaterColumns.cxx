@@ -415,26 +415,60 @@ void vtkWaterColumns::FindDykes(vtkPolyData* mesh)
   }
   std::vector<double> levels;
   std::vector<double> beds;
+  std::vector<vtkIdType> between;                  // dry cells with corners at different levels
+  std::vector<char> areUneven(this->IsWet.size()); // points of cells with water that is not level
+  const auto fill = [this](vtkIdType, const vtkIdType* points, vtkIdType count) {
+    std::for_each(points, points + count, [this](vtkIdType point) {
+      const auto at = static_cast<size_t>(point);
+      this->IsWet[at] =
+        vtkMath::IsFinite(this->Levels[at]); // up to where its bed reaches the level
+    });
+  };
   vtkWaterForEachCell(
     mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+      const bool isWet = this->IsCellWet[static_cast<size_t>(cell)] != 0;
       levels.clear();
       beds.clear();
+      Range own;
       for (vtkIdType i = 0; i < count; ++i)
       {
-        levels.push_back(this->Levels[static_cast<size_t>(points[i])]);
+        const double level = this->Levels[static_cast<size_t>(points[i])];
+        levels.push_back(level);
         beds.push_back(this->Beds[static_cast<size_t>(points[i])]);
+        own.Add(vtkMath::IsFinite(level) ? Range(level) : Range());
       }
-      if (!this->IsCellWet[static_cast<size_t>(cell)] &&
-        water_shore_is_dyke(levels.data(), beds.data(), levels.size()))
+      const bool isApart = own.IsApart(this->DryDepth);
+      if (isWet && isApart)
+      {
+        std::for_each(points, points + count,
+          [&areUneven](vtkIdType point) { areUneven[static_cast<size_t>(point)] = 1; });
+      }
+      if (!isWet && water_shore_is_dyke(levels.data(), beds.data(), levels.size()))
       {
         this->Dykes.push_back(cell);
-        return;
       }
-      for (vtkIdType i = 0; i < count; ++i)
+      else if (!isWet && isApart)
       {
-        const auto at = static_cast<size_t>(points[i]);
-        this->IsWet[at] =
-          vtkMath::IsFinite(this->Levels[at]); // up to where its bed reaches the level
+        between.push_back(cell);
+      }
+      else
+      {
+        fill(cell, points, count);
       }
     });
+  const auto judge = [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+    if (std::any_of(points, points + count,
+          [&areUneven](vtkIdType point) { return areUneven[static_cast<size_t>(point)] != 0; }))
+    {
+      fill(cell, points, count); // at a river
+    }
+    else
+    {
+      this->Dykes.push_back(cell); // between lakes
+    }
+  };
+  for (vtkIdType cell : between)
+  {
+    vtkWaterForCells(mesh->GetPolys(), cell, cell + 1, judge);
+  }
 }

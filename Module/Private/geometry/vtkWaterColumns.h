@@ -58,7 +58,7 @@ public:
   bool AreLevelsBeds() const { return water_heights_are_beds(&this->Faces); }
 
   // Cells that the solver calls dry though their bed lies below the water beside them, or that no
-  // water is beside.
+  // water is beside; and dry cells between two lakes, as one level over them would join the lakes.
   const std::vector<vtkIdType>& GetDykes() const { return this->Dykes; }
 
   // Of data of points; those of cells have one level at each point.
