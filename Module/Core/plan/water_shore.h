@@ -80,6 +80,10 @@ bool water_shore_is_dyke(const double* levels, const double* beds, size_t count)
 // them?
 bool water_shore_are_apart(double level, double other, double dry_depth);
 
+// Are two places beside a dry one of two lakes, if the waters are lakes? Around the dry place there
+// are up to four neighbours from one to the other, each of which may be higher by a film.
+bool water_shore_are_of_lakes(double level, double other, double dry_depth);
+
 // Are waters lakes? They are if more than two of three wet neighbours at the shore have one level,
 // or if no neighbours have different levels. A dry place beside two lakes at different levels is a
 // divide, and each lake ends before it at its own level. The mean of both levels would tilt both of

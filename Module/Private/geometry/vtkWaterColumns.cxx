@@ -77,10 +77,13 @@ public:
     this->Lowest = std::min(this->Lowest, other.Lowest);
     this->Highest = std::max(this->Highest, other.Highest);
   }
-  // Do the numbers of two waters differ?
   bool IsApart(double dryDepth) const
   {
     return water_shore_are_apart(this->Lowest, this->Highest, dryDepth);
+  }
+  bool IsOfLakes(double dryDepth) const
+  {
+    return water_shore_are_of_lakes(this->Lowest, this->Highest, dryDepth);
   }
 
 private:
@@ -383,7 +386,7 @@ void vtkWaterColumns::FindDivides(
         beside[points[i]].Add(own);
       }
     }
-    if (own.IsApart(this->DryDepth))
+    if (own.IsOfLakes(this->DryDepth))
     {
       this->Divides.Cells.insert(cell);
     }
@@ -397,7 +400,7 @@ void vtkWaterColumns::FindDivides(
   }
   for (const auto& [point, levels] : beside)
   {
-    if (levels.IsApart(this->DryDepth))
+    if (levels.IsOfLakes(this->DryDepth))
     {
       const double bed = this->Beds[static_cast<size_t>(point)];
       this->Divides.Beds[point] = bed;
@@ -417,13 +420,6 @@ void vtkWaterColumns::FindDykes(vtkPolyData* mesh)
   std::vector<double> beds;
   std::vector<vtkIdType> between;                  // dry cells with corners at different levels
   std::vector<char> areUneven(this->IsWet.size()); // points of cells with water that is not level
-  const auto fill = [this](vtkIdType, const vtkIdType* points, vtkIdType count) {
-    std::for_each(points, points + count, [this](vtkIdType point) {
-      const auto at = static_cast<size_t>(point);
-      this->IsWet[at] =
-        vtkMath::IsFinite(this->Levels[at]); // up to where its bed reaches the level
-    });
-  };
   vtkWaterForEachCell(
     mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
       const bool isWet = this->IsCellWet[static_cast<size_t>(cell)] != 0;
@@ -437,8 +433,7 @@ void vtkWaterColumns::FindDykes(vtkPolyData* mesh)
         beds.push_back(this->Beds[static_cast<size_t>(points[i])]);
         own.Add(vtkMath::IsFinite(level) ? Range(level) : Range());
       }
-      const bool isApart = own.IsApart(this->DryDepth);
-      if (isWet && isApart)
+      if (isWet && own.IsApart(this->DryDepth))
       {
         std::for_each(points, points + count,
           [&areUneven](vtkIdType point) { areUneven[static_cast<size_t>(point)] = 1; });
@@ -447,28 +442,45 @@ void vtkWaterColumns::FindDykes(vtkPolyData* mesh)
       {
         this->Dykes.push_back(cell);
       }
-      else if (!isWet && isApart)
+      else if (!isWet && own.IsOfLakes(this->DryDepth))
       {
         between.push_back(cell);
       }
       else
       {
-        fill(cell, points, count);
+        this->Fill(points, count);
       }
     });
-  const auto judge = [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-    if (std::any_of(points, points + count,
-          [&areUneven](vtkIdType point) { return areUneven[static_cast<size_t>(point)] != 0; }))
+  this->DivideLakes(mesh, between, areUneven);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterColumns::Fill(const vtkIdType* points, vtkIdType count)
+{
+  std::for_each(points, points + count, [this](vtkIdType point) {
+    const auto at = static_cast<size_t>(point);
+    this->IsWet[at] = vtkMath::IsFinite(this->Levels[at]);
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterColumns::DivideLakes(
+  vtkPolyData* mesh, const std::vector<vtkIdType>& between, const std::vector<char>& areUneven)
+{
+  const auto divide = [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+    const bool isAtRiver = std::any_of(points, points + count,
+      [&areUneven](vtkIdType point) { return areUneven[static_cast<size_t>(point)] != 0; });
+    if (isAtRiver)
     {
-      fill(cell, points, count); // at a river
+      this->Fill(points, count);
     }
     else
     {
-      this->Dykes.push_back(cell); // between lakes
+      this->Dykes.push_back(cell);
     }
   };
   for (vtkIdType cell : between)
   {
-    vtkWaterForCells(mesh->GetPolys(), cell, cell + 1, judge);
+    vtkWaterForCells(mesh->GetPolys(), cell, cell + 1, divide);
   }
 }

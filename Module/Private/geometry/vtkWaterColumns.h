@@ -77,6 +77,14 @@ private:
   // The depth of a point, once its level is known, and a level where there is none.
   void Finish(vtkIdType point);
   void FindDykes(vtkPolyData* mesh);
+  // Of a cell: the points with a level are wet up to where their bed reaches it.
+  void Fill(const vtkIdType* points, vtkIdType count);
+  // Dry cells with corners at different levels: those between lakes are dykes, those at a river are
+  // not.
+  //
+  // areUneven  points of cells with water that is not level
+  void DivideLakes(
+    vtkPolyData* mesh, const std::vector<vtkIdType>& between, const std::vector<char>& areUneven);
 
   vtkWaterKept<vtkDoubleArray> KeptLevels;
   vtkWaterKept<vtkDoubleArray> KeptDepths;
