@@ -257,8 +257,8 @@ void vtkWaterLakes::RemoveFrom(vtkRenderer* renderer)
   for (const auto& water : this->Internal->Waters)
   {
     renderer->RemoveActor(water);
-    water->GetSource()->SetMayMirror(true);
   }
+  this->AllowMirrors();
   for (unsigned long observer : observers)
   {
     renderer->RemoveObserver(observer);
@@ -343,11 +343,11 @@ void vtkWaterLakes::Rebuild()
       vtkNew<vtkPlane> plane;
       MovePlane(parts[i], first->GetMatrix(), plane);
       internal.Waters[i]->SetPlane(plane);
-      if (IsRest(parts[i]))
-      {
-        internal.Waters[i]->GetSource()->SetMayMirror(false);
-      }
     }
+  }
+  if (internal.Hosts.empty()) // otherwise each frame of theirs chooses
+  {
+    this->AllowMirrors();
   }
   internal.FollowedTime = 0;
 }
@@ -453,12 +453,26 @@ void vtkWaterLakes::Follow()
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterLakes::AllowMirrors()
+{
+  vtkMTimeType time = 1;
+  const std::vector<vtkPolyData*> parts = this->FindParts(&time);
+  for (size_t i = 0; i < this->Internal->Waters.size(); ++i)
+  {
+    const bool isRest = i < parts.size() && IsRest(parts[i]);
+    this->Internal->Waters[i]->GetSource()->SetMayMirror(!isRest);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterLakes::ChooseMirrors(vtkRenderer* renderer)
 {
   const auto& waters = this->Internal->Waters;
   const water_camera eye = vtkWaterGather::ReadCamera(renderer);
   vtkMTimeType time = 1;
   const std::vector<vtkPolyData*> parts = this->FindParts(&time);
+  // their shares do not matter, and those of many parts take long
+  const bool haveAll = waters.size() <= static_cast<size_t>(this->MaximumNumberOfMirrors);
   std::vector<double> shares;
   for (size_t i = 0; i < waters.size(); ++i)
   {
@@ -466,7 +480,7 @@ void vtkWaterLakes::ChooseMirrors(vtkRenderer* renderer)
     double origin[3];
     waters[i]->GetSource()->ReadPlane(&plane, origin);
     const bool mayBeMirrored =
-      i < parts.size() && !IsRest(parts[i]) && waters[i]->GetVisibility() != 0;
+      !haveAll && i < parts.size() && !IsRest(parts[i]) && waters[i]->GetVisibility() != 0;
     shares.push_back(mayBeMirrored ? ShareOf(eye, plane, parts[i], waters[i]->GetMatrix()) : 0.0);
   }
   auto hasView = std::make_unique<bool[]>(waters.size());

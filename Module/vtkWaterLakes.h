@@ -135,7 +135,7 @@ public:
    * the mapper is not a vtkPolyDataMapper, or shows edges, vertices or a wireframe, or has shader
    * code of the user; and if the driver's clip distances are wrong. It also applies if a cell next
    * to water is completely dry (as behind a dyke), if the shore crosses a polygon of five or more
-   * corners twice, if a quad has water of two lakes, if a dry point is next to two lakes at
+   * corners twice, if a cell has water of two lakes, if a dry point is next to two lakes at
    * different levels, or if a displayed array is NaN at a dry point next to water.
    *
    * Pickers, exporters and filters that use a water's mapper, or the vtkWaterSurfaceFilter, get the
@@ -212,6 +212,8 @@ private:
   void ShowUncut(size_t number, vtkPolyData* part, vtkMapper* mapper);
   // Gives the others what the first one has.
   void Follow();
+  // All waters may have a mirrored view, but for that of the parts without a plane.
+  void AllowMirrors();
   // Chooses the waters that have a mirrored view.
   void ChooseMirrors(vtkRenderer* renderer);
 

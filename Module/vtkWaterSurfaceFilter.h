@@ -17,10 +17,10 @@
  *
  * The shore lies where the bed reaches the level, between the points of the mesh: the level of wet
  * places is extended into adjacent dry places. Lakes at different levels on both sides of a ridge
- * end at their own levels, also if the ridge is only one row of points wide. A place that the
- * solver marks as dry stays dry, even if its bed is below that level, as behind a dyke. Places with
- * values that are not finite or beyond 1e9, as the fill values of files are, or with depths below
- * 0, are dry.
+ * end at their own levels, also if the ridge is only one row of points or cells wide. A place that
+ * the solver marks as dry stays dry, even if its bed is below that level, as behind a dyke. Places
+ * with values that are not finite or beyond 1e9, as the fill values of files are, or with depths
+ * below 0, are dry.
  *
  * Many solvers write the bed of a cell as the level of dry cells. If the bed is known at the points
  * only, such a level lies over the lowest corners of the cell, and the filter cannot tell it from a

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tell whether a PLY file has all of its data: VTK's reader shows what there is of a file that is cut off, or crashes.
+It also crashes if a number of elements or corners is negative, or if faces have no list of corners.
 
     missing_of(path)    # "" if nothing is missing, otherwise what is wrong
 
@@ -26,7 +27,10 @@ def missing_of(path):
     if end < 0 or not begin:
         return "the header has no end"
     try:
-        kind, elements = parsed(data[:end].decode("ascii", "replace"))
+        header = data[:end].decode("ascii", "replace")
+        kind, elements = parsed(header)
+        if not has_corners(header, elements):
+            return "its faces have no property vertex_indices"
         has_all = has_lines(data[begin:], elements) if kind == "ascii" else ends_within(data, begin, elements, kind)
     except (KeyError, ValueError, IndexError):
         return "the file is damaged"
@@ -46,9 +50,17 @@ def parsed(header):
             kind = words[1]
         elif words[:1] == ["element"]:
             elements.append((words[1], int(words[2]), []))
+            if elements[-1][1] < 0:  # VTK's reader crashes
+                raise ValueError
         elif words[:1] == ["property"]:
             elements[-1][2].append(words[2:4] if words[1] == "list" else words[1:2])
     return kind, elements
+
+
+def has_corners(header, elements):
+    """Is there a list of corners that VTK's reader knows, if there are faces? Without it the reader crashes."""
+    names = [line.split()[-1] for line in header.splitlines() if line.split()[:2] == ["property", "list"]]
+    return not any(name == "face" and count for name, count, _ in elements) or "vertex_indices" in names or "vertex_index" in names
 
 
 def has_lines(text, elements):
@@ -57,6 +69,11 @@ def has_lines(text, elements):
     wanted = sum(count for _, count, _ in elements)
     if len(lines) < wanted or not wanted:
         return not wanted
+    begin = 0
+    for _, count, kinds in elements:
+        if kinds and len(kinds[0]) == 2 and any(line.lstrip().startswith(b"-") for line in lines[begin:begin + count]):
+            raise ValueError  # a list of a negative length: VTK's reader crashes
+        begin += count
     numbers, at = lines[wanted - 1].split(), 0
     for kinds in next(kinds for _, count, kinds in reversed(elements) if count):
         at += 1 + (int(numbers[at]) if len(kinds) == 2 and at < len(numbers) else 0)
@@ -83,6 +100,8 @@ def end_of_lists(data, at, count, properties, order):
         size = np.dtype(length).itemsize
         if at + size <= len(data):
             row = size + item * int(np.frombuffer(data, length, 1, at)[0])
+            if row < size:
+                raise ValueError
             if at + count * row <= len(data):
                 rows = np.frombuffer(data, np.uint8, count * row, at).reshape(count, row)
                 if (rows[:, :size] == rows[0, :size]).all():

@@ -273,11 +273,20 @@ TEST(levels_of_two_waters_are_apart)
   assert_false(water_shore_are_apart((double)NAN, 2.0, 0.0));
 }
 
+// A river that falls by a film from place to place is no water of two lakes.
+TEST(lakes_differ_by_more_than_films_around_a_place)
+{
+  assert_true(water_shore_are_of_lakes(2.0, 2.21, 0.05));
+  assert_false(water_shore_are_of_lakes(2.0, 2.19, 0.05));
+  assert_false(water_shore_are_of_lakes(2.19, 2.0, 0.05));
+}
+
 TEST(lakes_are_level_at_most_of_the_shore)
 {
-  assert_true(water_shore_are_lakes(3, 2));
-  assert_false(water_shore_are_lakes(2, 2));
-  assert_false(water_shore_are_lakes(0, 0));
+  assert_true(water_shore_are_lakes(5, 2));
+  assert_false(water_shore_are_lakes(4, 2));
+  assert_true(water_shore_are_lakes(0, 0)); // ponds of one place each
+  assert_false(water_shore_are_lakes(0, 1));
 }
 
 // Half of the way, if the divide's bed is as high over the level as the water is deep; at the
@@ -320,4 +329,5 @@ TESTS(a_level_at_the_bed_is_no_water, three_heights_stay_as_they_are,
   a_dry_cell_with_a_low_bed_is_behind_a_dyke, a_corner_on_the_shore_stands_once,
   water_that_meets_land_twice_is_split, columns_are_those_of_single_points,
   land_has_the_level_of_its_bed, levels_of_two_waters_are_apart,
-  lakes_are_level_at_most_of_the_shore, a_lake_ends_at_its_level_before_a_divide)
+  lakes_differ_by_more_than_films_around_a_place, lakes_are_level_at_most_of_the_shore,
+  a_lake_ends_at_its_level_before_a_divide)

@@ -424,6 +424,32 @@ def test_a_ply_file_that_is_cut_off_is_told(is_binary, is_big, faces, tmp_path):
     path.write_bytes(whole)
 
 
+@pytest.mark.parametrize("is_binary", (False, True), ids=("text", "binary"))
+@pytest.mark.parametrize("old, new, words", (
+    (b"element vertex 4", b"element vertex -4", "the file is damaged"),
+    (b"element face 2", b"element face -2", "the file is damaged"),
+    (b"uchar int vertex_indices", b"uchar int parts", "its faces have no property vertex_indices"),
+), ids=("vertices", "faces", "corners"))
+def test_a_damaged_ply_file_is_told(is_binary, old, new, words, tmp_path):
+    """VTK's reader crashes with such headers."""
+    path = tmp_path / "square.ply"
+    path.write_bytes(ply_of(is_binary, False, ((0, 1, 2), (0, 2, 3))).replace(old, new))
+    with pytest.raises(readers.FileError, match=words):
+        readers.read(path)
+
+
+@pytest.mark.parametrize("is_binary", (False, True), ids=("text", "binary"))
+def test_a_ply_face_of_fewer_than_no_corners_is_told(is_binary, tmp_path):
+    """VTK's reader crashes with it."""
+    path = tmp_path / "square.ply"
+    whole = ply_of(is_binary, False, ((0, 1, 2), (0, 2, 3))).replace(b"list uchar", b"list char")
+    old, new = (bytes((3, 0, 0, 0, 0)), bytes((255, 0, 0, 0, 0))) if is_binary else (b"\n3 0 1 2", b"\n-3 0 1 2")
+    path.write_bytes(whole.replace(old, new, 1))
+    wt.check_equal("changed", path.read_bytes() != whole, True)
+    with pytest.raises(readers.FileError, match="the file is damaged"):
+        readers.read(path)
+
+
 def test_cells_without_types_are_told():
     """A grid with fewer types than cells is refused, with both numbers."""
     points, cells, grid = vtkPoints(), vtkCellArray(), vtkUnstructuredGrid()

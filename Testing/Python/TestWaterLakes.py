@@ -276,6 +276,80 @@ def test_lakes_with_a_ridge_between_end_at_their_own_levels(direction, top, cut)
     check_exact(view, seen, waters)
 
 
+HALF = 0.5 * np.sqrt(3.0)
+# Corners of a mesh, its cells, the wet points of two lakes, the areas of both; the shore is in the middle of each side.
+DIVIDED = {
+    "ponds of a point": ([(x, y) for y in range(3) for x in range(5)],
+                         [(i, i + 1, i + 6, i + 5) for i in (0, 1, 2, 3, 5, 6, 7, 8)], (6,), (8,), 0.5),
+    "corners of a quad": ([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2, 3)], (0,), (2,), 0.125),
+    "sides of a hexagon": ([(1, 0), (0.5, HALF), (-0.5, HALF), (-1, 0), (-0.5, -HALF), (0.5, -HALF)],
+                           [(0, 1, 2, 3, 4, 5)], (0, 1), (3, 4), 0.625 * HALF),
+}
+
+
+@pytest.mark.parametrize("turn", range(3))
+@pytest.mark.parametrize("name", DIVIDED)
+def test_lakes_in_one_cell_or_around_one_point_stay_apart(name, turn):
+    """Land between them has no level of its own, however few neighbours show that they are lakes."""
+    corners, polygons, left, right, area = DIVIDED[name]
+    mesh, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    for x, y in corners:
+        points.InsertNextPoint(x, y, 0.0)
+    for polygon in polygons:
+        cells.InsertNextCell(len(polygon))
+        for corner in np.roll(polygon, turn):
+            cells.InsertCellPoint(corner)
+    mesh.SetPoints(points)
+    mesh.SetPolys(cells)
+    bed, depth = np.full(len(corners), 2.0), np.zeros(len(corners))
+    bed[list(left)], bed[list(right)] = 2.0 * LEFT - 2.0, 2.0 * RIGHT - 2.0  # as far below the level as land is above it
+    depth[list(left)], depth[list(right)] = 2.0 - LEFT, 2.0 - RIGHT
+    set_array(mesh, "zb", bed)
+    set_array(mesh, "h", depth)
+    surface = vtkWaterSurfaceFilter()
+    surface.SetInputData(mesh)
+    surface.SetDepthArrayName("h")
+    surface.SetBedArrayName("zb")
+    planes = vtkWaterPlanesFilter()
+    planes.SetInputConnection(surface.GetOutputPort())
+    planes.Update()
+    blocks = [planes.GetOutput().GetBlock(i) for i in range(planes.GetOutput().GetNumberOfBlocks())]
+    heights = [vtk_to_numpy(block.GetPoints().GetData())[:, 2] for block in blocks]
+    wt.check_equal("levels", sorted({round(z, 12) for part in heights for z in part}), [RIGHT, LEFT])
+    wt.check_equal("lakes", len(blocks), 2)
+    for block, part in zip(blocks, heights):
+        wt.check_equal("one level", float(np.ptp(part)), 0.0)
+        made = block.GetFieldData().GetArray("WaterArea").GetComponent(0, 0)
+        wt.check_at_most("area off by", abs(made - area), 1e-12)
+
+
+@pytest.mark.parametrize("wide", (1, 2, 3))
+def test_lakes_of_cells_with_a_ridge_between_end_at_their_own_levels(wide):
+    """The lake on the left is deep: at the points between its cells and the ridge, the mean bed is under water."""
+    mesh = mesh_of((0.0,), rows=4, columns=14, width=13.0, depth=3.0)
+    column = np.tile(np.arange(13), 3)
+    is_left, is_right = column < 6, column >= 6 + wide
+    is_dry = ~(is_left | is_right)
+    level = np.where(is_left, LEFT, RIGHT)
+    bed = np.where(is_dry, 0.9, np.where(is_left, LEFT - 1.2, RIGHT - 0.02))
+    for name, values in (("zb", bed), ("h", (level - bed) * ~is_dry)):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        mesh.GetCellData().AddArray(array)
+    surface = vtkWaterSurfaceFilter()
+    surface.SetInputData(mesh)
+    surface.SetDepthArrayName("h")
+    surface.SetBedArrayName("zb")
+    planes = vtkWaterPlanesFilter()
+    planes.SetInputConnection(surface.GetOutputPort())
+    planes.Update()
+    made = planes.GetOutput()
+    heights = [vtk_to_numpy(made.GetBlock(i).GetPoints().GetData())[:, 2] for i in range(made.GetNumberOfBlocks())]
+    wt.check_equal("lakes", sorted({round(z, 12) for part in heights for z in part}), [RIGHT, LEFT])
+    wt.check_equal("levels", [float(np.ptp(part)) for part in heights], [0.0, 0.0])
+
+
 def test_lakes_at_one_level_share_a_plane():
     lakes = lakes_of(mesh_of((0.0, 0.2, 0.0, 0.2, 0.0)))
     view = view_of(things())
@@ -371,6 +445,28 @@ def test_parts_without_a_plane_reflect_the_sky_and_the_others_are_exact(planes):
     wt.check_at_most("not the sky, percent", 100 * (np.abs(seen[rest] - sky).max(axis=1) > 1).mean(), LIMIT_PERCENT)
     wt.check_equal("mirrored views", renders_of(waters), [1] * planes + [0])
     wt.check_equal("warnings", warnings, [])
+
+
+def test_waters_that_the_caller_adds_are_mirrored_except_the_rest():
+    """Without AddTo nobody chooses the mirrored views: all waters have one, but for that of parts without a plane."""
+    lakes = lakes_of(mesh_of(LEVELS[:3]), MaximumNumberOfPlanes=1)
+    lakes.Update()
+    lakes.SetMaximumNumberOfPlanes(2)  # the second water was the rest, and now the third is
+    lakes.Update()
+    view = view_of(things())
+    for _ in range(2):
+        for water in waters_of(lakes):
+            view.renderer.AddActor(water)
+        before = renders_of(waters_of(lakes))
+        view.renderer.GetActiveCamera().Azimuth(1)
+        view.picture()
+        made = [after - first for after, first in zip(renders_of(waters_of(lakes)), before)]
+        wt.check_equal("mirrored views", made, [1, 1, 0])
+        for water in waters_of(lakes):
+            view.renderer.RemoveActor(water)
+        lakes.AddTo(view.renderer)
+        view.picture()
+        lakes.RemoveFrom(view.renderer)
 
 
 def test_waters_follow_the_mesh():

@@ -194,6 +194,14 @@ def test_two_levels_of_water():
     wt.check_at_most("two levels: pixels off by more than 1 of 255, %", worst_of(pairs), 0.05)
 
 
+def test_a_river_on_a_fine_mesh_is_no_row_of_lakes():
+    """From point to point it falls by less than a film, and by more from one side of a dry point to the other."""
+    row = np.arange((tide.CELLS + 1) ** 2) // (tide.CELLS + 1)
+    pairs, drawn = both(lambda bed, step: tide_depth(bed, step) + 0.0009 * row, areas_have_quads=True)
+    wt.check_equal("cut while drawn", drawn.water.GetIsShoreCutWhileDrawn(), True)
+    wt.check_at_most("river: pixels off by more than 1 of 255, %", worst_of(pairs), 0.05)
+
+
 def test_no_water_at_all():
     pairs, drawn = both(lambda bed, step: np.full(len(bed), -1.0))
     assert drawn.water.GetIsShoreCutWhileDrawn()

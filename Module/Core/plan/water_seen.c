@@ -28,7 +28,7 @@ double water_seen_share_of_parts(const water_camera* eye, const water_plane* pla
   double sum = 0.0;
   double all[6];
   water_bounds_begin(all);
-  for (size_t i = 0; i < count; ++i)
+  for (size_t i = 0; i < count && sum < 1.0; ++i)
   {
     double moved[6];
     water_bounds_begin(moved);

@@ -20,11 +20,10 @@ extern "C"
 // bounds  of the surface: xmin, xmax, ymin, ymax, zmin, zmax in world; empty: out of view
 double water_seen_share(const water_camera* eye, const water_plane* plane, const double bounds[6]);
 
-// The same of a surface of several parts, each in a box of its own: the sum of their shares, at
-// most
-// 1. A box of all of them would be large, however small and far apart the parts are. If only that
-// box is in view, between the parts, a plan has a mirrored view for it: its share is nearly 0, so
-// that it comes last.
+// The same of a surface of several parts, each in a box of its own: the sum of their shares, or 1
+// if that is less. A box of all of them would be large, however small and far apart the parts are.
+// If only that box is in view, between the parts, a plan has a mirrored view for it: its share is
+// nearly 0, so that it comes last.
 //
 // bounds         of the parts in the surface's own coordinates: rows of 6
 // mesh_to_world  affine

@@ -8,6 +8,7 @@
 #include <math.h>
 
 static const double roundings = 4.0; // of a level, in floats
+static const double around = 4.0;    // neighbours from one side of a place to the other
 static const double far_off = 1.0;   // depth, of any sign, where nothing else is known
 
 static inline bool is_beyond(double height)
@@ -98,9 +99,14 @@ bool water_shore_are_apart(double level, double other, double dry_depth)
   return fabs(level - other) > fmax(dry_depth, rounding);
 }
 
+bool water_shore_are_of_lakes(double level, double other, double dry_depth)
+{
+  return water_shore_are_apart(level, other, around * dry_depth);
+}
+
 bool water_shore_are_lakes(size_t level, size_t uneven)
 {
-  return level > uneven;
+  return uneven == 0 || level > 2 * uneven;
 }
 
 double water_shore_before_divide(double depth, double level, double bed)

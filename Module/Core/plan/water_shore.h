@@ -80,10 +80,19 @@ bool water_shore_is_dyke(const double* levels, const double* beds, size_t count)
 // them?
 bool water_shore_are_apart(double level, double other, double dry_depth);
 
-// Are waters lakes? They are if most wet neighbours at the shore have one level. A dry place beside
-// two lakes at different levels is a divide, and each lake ends before it at its own level. The
-// mean of both levels would tilt both of them there, and join them. The level of other water, such
-// as a river, changes from place to place, and its mean is extended beyond the shore.
+// Are two places beside a dry one of two lakes, if the waters are lakes? Around the dry place there
+// are up to four neighbours from one to the other, each of which may be higher by a film.
+bool water_shore_are_of_lakes(double level, double other, double dry_depth);
+
+// Are waters lakes? They are if more than two of three wet neighbours at the shore have one level,
+// or if no neighbours have different levels. A dry place beside two lakes at different levels is a
+// divide, and each lake ends before it at its own level. The mean of both levels would tilt both of
+// them there, and join them. The level of other water, such as a river, changes from place to
+// place, and its mean is extended beyond the shore.
+//
+// Neighbours are both ends of a side of a cell. Wet places of a cell with dry ones between them on
+// both sides may be of two lakes. Of a river along the rows of a grid, half of the sides lead
+// across it and are level: a simple majority would change with every step.
 //
 // level   wet neighbours in cells at the shore that have one level
 // uneven  those that are apart

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <unordered_map>
 
 namespace
@@ -59,6 +60,35 @@ public:
 private:
   double Sum = 0.0;
   int Count = 0;
+};
+
+// The range of numbers.
+class Range
+{
+public:
+  Range() = default;
+  explicit Range(double value)
+    : Lowest(value)
+    , Highest(value)
+  {
+  }
+  void Add(const Range& other)
+  {
+    this->Lowest = std::min(this->Lowest, other.Lowest);
+    this->Highest = std::max(this->Highest, other.Highest);
+  }
+  bool IsApart(double dryDepth) const
+  {
+    return water_shore_are_apart(this->Lowest, this->Highest, dryDepth);
+  }
+  bool IsOfLakes(double dryDepth) const
+  {
+    return water_shore_are_of_lakes(this->Lowest, this->Highest, dryDepth);
+  }
+
+private:
+  double Lowest = std::numeric_limits<double>::infinity(); // of none
+  double Highest = -std::numeric_limits<double>::infinity();
 };
 
 // One for each point of a mesh.
@@ -293,20 +323,22 @@ void vtkWaterColumns::SpreadOver(
   vtkPolyData* mesh, const std::vector<std::vector<vtkIdType>>& shores)
 {
   std::unordered_map<vtkIdType, Mean> means; // of the points beside the water: few
-  size_t pairs = 0;                          // of wet points of a cell
-  size_t uneven = 0;                         // of these, with different levels
+  size_t even = 0;                           // sides of cells with two wet points at one level
+  size_t uneven = 0;                         // those at different levels
   const auto add = [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
     Mean own;
     const auto isWet = [this](
                          vtkIdType point) { return this->IsWet[static_cast<size_t>(point)] != 0; };
-    double before = vtkMath::Nan(); // the level of the last wet one
     for (vtkIdType i = 0; i < count; ++i)
     {
-      const double here = isWet(points[i]) ? this->Levels[points[i]] : vtkMath::Nan();
-      own.Add(here);
-      uneven += water_shore_are_apart(before, here, this->DryDepth) ? 1 : 0;
-      pairs += vtkMath::IsFinite(here - before) ? 1 : 0;
-      before = vtkMath::IsFinite(here) ? here : before;
+      const vtkIdType next = points[(i + 1) % count];
+      own.Add(isWet(points[i]) ? this->Levels[points[i]] : vtkMath::Nan());
+      if (isWet(points[i]) && isWet(next))
+      {
+        ++(water_shore_are_apart(this->Levels[points[i]], this->Levels[next], this->DryDepth)
+            ? uneven
+            : even);
+      }
     }
     for (vtkIdType i = 0; i < count; ++i)
     {
@@ -328,7 +360,7 @@ void vtkWaterColumns::SpreadOver(
     this->Levels[point] = mean.Get();
     this->Finish(point);
   }
-  if (this->IsCellWet.empty() && water_shore_are_lakes(pairs - uneven, uneven))
+  if (this->IsCellWet.empty() && water_shore_are_lakes(even, uneven))
   {
     this->FindDivides(mesh, shores);
   }
@@ -338,27 +370,25 @@ void vtkWaterColumns::SpreadOver(
 void vtkWaterColumns::FindDivides(
   vtkPolyData* mesh, const std::vector<std::vector<vtkIdType>>& shores)
 {
-  std::unordered_map<vtkIdType, double> beside; // the level of the first lake beside a dry point
+  std::unordered_map<vtkIdType, Range> beside; // the levels beside a dry point
   const auto isWet = [this](
                        vtkIdType point) { return this->IsWet[static_cast<size_t>(point)] != 0; };
-  const auto areApart = [this](double first, double second) {
-    return water_shore_are_apart(first, second, this->DryDepth);
-  };
   const auto add = [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-    if (count == 4 && isWet(points[0]) && isWet(points[2]) && !isWet(points[1]) &&
-      !isWet(points[3]) && areApart(this->Levels[points[0]], this->Levels[points[2]]))
+    Range own;
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      this->Divides.Quads.insert(cell);
+      own.Add(isWet(points[i]) ? Range(this->Levels[points[i]]) : Range());
     }
-    for (vtkIdType i = 0; i < count * count; ++i)
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      const vtkIdType wet = points[i / count];
-      const vtkIdType dry = points[i % count];
-      if (isWet(wet) && !isWet(dry) &&
-        areApart(beside.emplace(dry, this->Levels[wet]).first->second, this->Levels[wet]))
+      if (!isWet(points[i]))
       {
-        this->Divides.Beds[dry] = this->Beds[static_cast<size_t>(dry)];
+        beside[points[i]].Add(own);
       }
+    }
+    if (own.IsOfLakes(this->DryDepth))
+    {
+      this->Divides.Cells.insert(cell);
     }
   };
   for (const std::vector<vtkIdType>& ofBlock : shores)
@@ -368,9 +398,14 @@ void vtkWaterColumns::FindDivides(
       vtkWaterForCells(mesh->GetPolys(), cell, cell + 1, add);
     }
   }
-  for (const auto& [point, bed] : this->Divides.Beds)
+  for (const auto& [point, levels] : beside)
   {
-    this->Depths[point] = water_shore_depth(false, vtkMath::Nan(), bed);
+    if (levels.IsOfLakes(this->DryDepth))
+    {
+      const double bed = this->Beds[static_cast<size_t>(point)];
+      this->Divides.Beds[point] = bed;
+      this->Depths[point] = water_shore_depth(false, vtkMath::Nan(), bed);
+    }
   }
 }
 
@@ -383,26 +418,69 @@ void vtkWaterColumns::FindDykes(vtkPolyData* mesh)
   }
   std::vector<double> levels;
   std::vector<double> beds;
+  std::vector<vtkIdType> between;                  // dry cells with corners at different levels
+  std::vector<char> areUneven(this->IsWet.size()); // points of cells with water that is not level
   vtkWaterForEachCell(
     mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+      const bool isWet = this->IsCellWet[static_cast<size_t>(cell)] != 0;
       levels.clear();
       beds.clear();
+      Range own;
       for (vtkIdType i = 0; i < count; ++i)
       {
-        levels.push_back(this->Levels[static_cast<size_t>(points[i])]);
+        const double level = this->Levels[static_cast<size_t>(points[i])];
+        levels.push_back(level);
         beds.push_back(this->Beds[static_cast<size_t>(points[i])]);
+        own.Add(vtkMath::IsFinite(level) ? Range(level) : Range());
       }
-      if (!this->IsCellWet[static_cast<size_t>(cell)] &&
-        water_shore_is_dyke(levels.data(), beds.data(), levels.size()))
+      if (isWet && own.IsApart(this->DryDepth))
+      {
+        std::for_each(points, points + count,
+          [&areUneven](vtkIdType point) { areUneven[static_cast<size_t>(point)] = 1; });
+      }
+      if (!isWet && water_shore_is_dyke(levels.data(), beds.data(), levels.size()))
       {
         this->Dykes.push_back(cell);
-        return;
       }
-      for (vtkIdType i = 0; i < count; ++i)
+      else if (!isWet && own.IsOfLakes(this->DryDepth))
       {
-        const auto at = static_cast<size_t>(points[i]);
-        this->IsWet[at] =
-          vtkMath::IsFinite(this->Levels[at]); // up to where its bed reaches the level
+        between.push_back(cell);
+      }
+      else
+      {
+        this->Fill(points, count);
       }
     });
+  this->DivideLakes(mesh, between, areUneven);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterColumns::Fill(const vtkIdType* points, vtkIdType count)
+{
+  std::for_each(points, points + count, [this](vtkIdType point) {
+    const auto at = static_cast<size_t>(point);
+    this->IsWet[at] = vtkMath::IsFinite(this->Levels[at]);
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterColumns::DivideLakes(
+  vtkPolyData* mesh, const std::vector<vtkIdType>& between, const std::vector<char>& areUneven)
+{
+  const auto divide = [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+    const bool isAtRiver = std::any_of(points, points + count,
+      [&areUneven](vtkIdType point) { return areUneven[static_cast<size_t>(point)] != 0; });
+    if (isAtRiver)
+    {
+      this->Fill(points, count);
+    }
+    else
+    {
+      this->Dykes.push_back(cell);
+    }
+  };
+  for (vtkIdType cell : between)
+  {
+    vtkWaterForCells(mesh->GetPolys(), cell, cell + 1, divide);
+  }
 }

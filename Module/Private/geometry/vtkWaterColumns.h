@@ -58,7 +58,7 @@ public:
   bool AreLevelsBeds() const { return water_heights_are_beds(&this->Faces); }
 
   // Cells that the solver calls dry though their bed lies below the water beside them, or that no
-  // water is beside.
+  // water is beside; and dry cells between two lakes, as one level over them would join the lakes.
   const std::vector<vtkIdType>& GetDykes() const { return this->Dykes; }
 
   // Of data of points; those of cells have one level at each point.
@@ -77,6 +77,14 @@ private:
   // The depth of a point, once its level is known, and a level where there is none.
   void Finish(vtkIdType point);
   void FindDykes(vtkPolyData* mesh);
+  // Of a cell: the points with a level are wet up to where their bed reaches it.
+  void Fill(const vtkIdType* points, vtkIdType count);
+  // Dry cells with corners at different levels: those between lakes are dykes, those at a river are
+  // not.
+  //
+  // areUneven  points of cells with water that is not level
+  void DivideLakes(
+    vtkPolyData* mesh, const std::vector<vtkIdType>& between, const std::vector<char>& areUneven);
 
   vtkWaterKept<vtkDoubleArray> KeptLevels;
   vtkWaterKept<vtkDoubleArray> KeptDepths;

@@ -13,15 +13,16 @@ struct vtkWaterDivides
 {
   // Dry points beside two lakes, and their beds: neither lake's level is theirs.
   std::unordered_map<vtkIdType, double> Beds;
-  // Quads with two lakes in opposite corners, between which VTK's triangles have an edge.
-  std::unordered_set<vtkIdType> Quads;
+  // Cells at the shore with wet corners at different levels: if land separates these corners on
+  // both sides, no triangle may join them.
+  std::unordered_set<vtkIdType> Cells;
 
   void Clear()
   {
     this->Beds.clear();
-    this->Quads.clear();
+    this->Cells.clear();
   }
-  std::size_t GetCount() const { return this->Beds.size() + this->Quads.size(); }
+  std::size_t GetCount() const { return this->Beds.size() + this->Cells.size(); }
 };
 
 #endif

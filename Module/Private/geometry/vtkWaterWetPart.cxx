@@ -164,15 +164,12 @@ void vtkWaterWetPart::CutCells()
         this->CutPolygon(cell, corners, Index(count));
         return;
       }
-      if (this->Divides.Quads.count(cell)) // along the diagonal between its dry corners
+      if (this->Divides.Cells.count(cell) && water_shore_is_split(own.data(), own.size()))
       {
-        const vtkIdType turned[4] = { corners[1], corners[2], corners[3], corners[0] };
-        TriangulateInto(turned, count, this->Mesh->GetPoints(), triangles);
+        this->CutWaters(cell, corners, count);
+        return;
       }
-      else
-      {
-        TriangulateInto(corners, count, this->Mesh->GetPoints(), triangles);
-      }
+      TriangulateInto(corners, count, this->Mesh->GetPoints(), triangles);
       for (vtkIdType i = 0; i + 2 < triangles->GetNumberOfIds(); i += 3)
       {
         this->CutPolygon(cell, triangles->GetPointer(i), 3);
@@ -182,13 +179,29 @@ void vtkWaterWetPart::CutCells()
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterWetPart::CutWaters(vtkIdType cell, const vtkIdType* points, vtkIdType count)
+{
+  const auto isDry = [this](vtkIdType point) { return !(this->Depths[Index(point)] > 0.0); };
+  std::vector<vtkIdType> turned(points, points + count); // from a dry one on, which is the end, too
+  std::rotate(turned.begin(), std::find_if(turned.begin(), turned.end(), isDry), turned.end());
+  turned.push_back(turned.front());
+  for (auto dry = turned.begin(); dry + 1 != turned.end();)
+  {
+    const auto next = std::find_if(dry + 1, turned.end(), isDry);
+    this->CutPolygon(cell, &*dry, Index(next - dry) + 1); // nothing, if it is the neighbour
+    dry = next;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterWetPart::CutPolygon(vtkIdType cell, const vtkIdType* points, size_t count)
 {
-  double depths[4];
-  water_shore_corner corners[8];
-  std::transform(
-    points, points + count, depths, [this](vtkIdType point) { return this->Depths[Index(point)]; });
-  const size_t made = water_shore_cut(depths, count, corners);
+  std::vector<water_shore_corner>& corners = this->OwnCorners;
+  this->OwnDepths.resize(count);
+  corners.resize(2 * count);
+  std::transform(points, points + count, this->OwnDepths.begin(),
+    [this](vtkIdType point) { return this->Depths[Index(point)]; });
+  const size_t made = water_shore_cut(this->OwnDepths.data(), count, corners.data());
   // triangles: VTK 9.1 finds places outside of a quad that is no parallelogram in it
   for (size_t number = 0; number + 2 < made; ++number)
   {

@@ -54,6 +54,8 @@ private:
   void ClassifyCells();
   void NumberPoints();
   void CutCells();
+  // Of a cell with waters that land separates: each by itself.
+  void CutWaters(vtkIdType cell, const vtkIdType* points, vtkIdType count);
   void CutPolygon(vtkIdType cell, const vtkIdType* points, size_t count);
   vtkIdType Map(const vtkIdType* points, const water_shore_corner& corner);
   vtkIdType Map(vtkIdType point);
@@ -71,7 +73,9 @@ private:
   const std::vector<vtkIdType>& Dykes;
   const vtkWaterDivides& Divides;
   double Scale;
-  bool IsAll = true; // everything is wet, and each point is one of a polygon
+  bool IsAll = true;             // everything is wet, and each point is one of a polygon
+  std::vector<double> OwnDepths; // of the polygon that is cut
+  std::vector<water_shore_corner> OwnCorners;
   std::vector<Cell> Cells;
   vtkIdType WetCells = 0;
   vtkIdType CutCount = 0;
