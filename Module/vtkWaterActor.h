@@ -379,8 +379,8 @@ public:
   ///@}
 
   /**
-   * The value of SetPickable. 0 while the sheet reaches to the horizon, because it then has no
-   * bounds for pickers, except during a selection of pixels.
+   * The value of SetPickable. Returns 0 while the sheet reaches to the horizon, except during a
+   * selection of pixels: it has no bounds otherwise.
    */
   vtkTypeBool GetPickable() override;
 

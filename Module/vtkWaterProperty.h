@@ -223,13 +223,13 @@ public:
    * converted to the scene's unit. 0 means automatic: a scene that is 256 to 1024 units across is
    * treated as a scene in metres, a smaller one as 200 to 400 m across, a larger one as 1000 to
    * 2000 m across. A preset may have other ranges (a pool: 4 to 32 units are metres, a smaller
-   * scene is 4 to 8 m across, a larger one 20 to 40 m). Waves shorter than 1/400 of the scene are
-   * then not shown, and GetWaveHeight agrees with what is shown. Without a preset, light
-   * is attenuated as if the deepest bed were 30 m deep, or 120 m in a wide scene, ten times as wide
-   * as deep, whose heights often have another scale than its widths. A flat bed, such as the
-   * floor of a pool or a tank, is treated as 5 m deep if the water's automatic sheet ends with its
-   * ground. If the automatic sheet reaches to the horizon, the deepest part of the objects in the
-   * water is treated as 10 m deep. Default is 1.
+   * scene is 4 to 8 m across, a larger one 20 to 40 m). With automatic units, waves shorter than
+   * 1/400 of the scene are not shown, and GetWaveHeight agrees with what is shown. Without a
+   * preset, light is attenuated as if the deepest bed were 30 m deep, or 120 m in a wide scene, ten
+   * times as wide as deep, whose heights often have another scale than its widths. A flat bed, such
+   * as the floor of a pool or a tank, is treated as 5 m deep if the water's automatic sheet ends
+   * with its ground. If the automatic sheet reaches to the horizon, the deepest part of the objects
+   * in the water is treated as 10 m deep. Default is 1.
    */
   void SetMetresPerUnit(double metres);
   vtkGetMacro(MetresPerUnit, double);
@@ -672,11 +672,12 @@ public:
   /**
    * Number of tiles of the sea (its cascades), in [1, 3], each with a band of the waves. The first
    * has the longest waves; each further tile is shorter by the same factor (at most 19 for 256
-   * points). The sea then includes waves of a few centimetres and does not repeat as a whole. If
-   * fewer tiles already reach waves of 1.7 cm, fewer are used: GetUsedSeaCascades returns their
-   * number. The time to compute a sea is proportional to the number of tiles. A pixel larger than
-   * the waves of a tile does not read that tile. Three tiles show ripples close to the eye. Default
-   * is 2.
+   * points). With three tiles, the sea includes waves of a few centimetres. The sea repeats after
+   * the length of its first tile: by default 24 wavelengths of the peak with several tiles, 10 with
+   * one. If fewer tiles already reach waves of 1.7 cm, fewer are used: GetUsedSeaCascades returns
+   * their number. The time to compute a sea is proportional to the number of tiles. A pixel larger
+   * than the waves of a tile does not read that tile. Three tiles show ripples close to the eye.
+   * Default is 2.
    *
    * Source: Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean Lighting using
    * Seamless Transitions from Geometry to BRDF".
@@ -785,8 +786,9 @@ public:
   /**
    * Rays of the ray-traced lookup: the number of rays for a pixel whose neighbour has another
    * colour, in [1, 16]. All other pixels have one. Pixels of rough water, which have several
-   * facets, have four if this number is larger than 4, and otherwise one. Unless RayTraceLayers is
-   * 2, GPUs ignore this setting, because it costs a quarter of the frame there. Default is 4.
+   * facets, have one, too. If this number is larger than 4, such a pixel has four where its colour
+   * differs from that of its neighbours. Unless RayTraceLayers is 2, GPUs ignore this setting,
+   * because it costs a quarter of the frame there. Default is 4.
    */
   void SetRayTraceRays(int rays);
   vtkGetMacro(RayTraceRays, int);
