@@ -212,7 +212,7 @@ private:
   void ShowUncut(size_t number, vtkPolyData* part, vtkMapper* mapper);
   // Gives the others what the first one has.
   void Follow();
-  // All waters may have a mirrored view, but for that of the parts without a plane.
+  // All waters may have a mirrored view, except that of the parts without a plane.
   void AllowMirrors();
   // Chooses the waters that have a mirrored view.
   void ChooseMirrors(vtkRenderer* renderer);
