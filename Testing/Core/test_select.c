@@ -458,10 +458,28 @@ TEST(eyes_on_the_plane_are_lifted_to_one_height)
   ASSERT_CLOSE(lifted, level.offset, 0.2 * most);
 }
 
-TESTS(eyes_on_the_plane_are_lifted_to_one_height, perspective_side_is_where_the_eye_is,
-  parallel_side_is_where_the_view_comes_from, parallel_side_of_a_wide_and_shifted_view,
-  parallel_view_along_the_water_is_edge_on, eye_on_the_plane_is_told_from_rounding,
-  parallel_view_is_edge_on_up_to_the_stated_sine, eye_is_on_the_plane_up_to_the_stated_rounding,
-  flags_decide_in_their_order, boxes_decide_in_their_order,
-  bounds_that_are_not_finite_name_their_prop, culling_never_drops_what_is_seen,
-  water_in_view_is_never_out_of_view, rounding_never_drops)
+// A projection whose near plane is farther away than numbers reach lifts an eye on the plane by no
+// more than rounding. Found by the fuzzer of plans.
+TEST(eye_on_the_plane_with_a_near_plane_out_of_reach)
+{
+  const double far = -1.993854408381186e81;
+  const water_camera camera = { { 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, -10.0,
+                                  0.0, 0.0, 0.0, 1.0 },
+    { 1.0, 0.0, far, 0.0, 0.0, 1.3, far, 0.0, 0.0, 0.0, -1.01, far, 0.0, 0.0, -1.0, 0.0 }, false };
+  const water_plane upright = { { -1.0, 0.0, 0.0 }, 0.0 };
+  water_eye eye;
+  water_plane level;
+  water_side side = WATER_BELOW;
+  assert_int_equal(water_camera_decompose(&camera, &eye), WATER_OK);
+  water_select_level(&eye, &upright, &level, &side);
+  assert_int_equal(side, WATER_ABOVE);
+  assert_true(level.offset > 0.0 && level.offset < 1e-6);
+}
+
+TESTS(eye_on_the_plane_with_a_near_plane_out_of_reach, eyes_on_the_plane_are_lifted_to_one_height,
+  perspective_side_is_where_the_eye_is, parallel_side_is_where_the_view_comes_from,
+  parallel_side_of_a_wide_and_shifted_view, parallel_view_along_the_water_is_edge_on,
+  eye_on_the_plane_is_told_from_rounding, parallel_view_is_edge_on_up_to_the_stated_sine,
+  eye_is_on_the_plane_up_to_the_stated_rounding, flags_decide_in_their_order,
+  boxes_decide_in_their_order, bounds_that_are_not_finite_name_their_prop,
+  culling_never_drops_what_is_seen, water_in_view_is_never_out_of_view, rounding_never_drops)

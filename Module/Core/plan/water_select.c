@@ -103,9 +103,10 @@ void water_select_level(
   double plane_view[4];
   water_camera_plane_view(eye, plane, plane_view);
   const double height = water_vec3_dot(plane_view, eye->center_view) + plane_view[3];
-  const double raised =
-    fmax(on_plane_height * water_vec3_length(arm), 1000.0 * height_rounding(eye, plane));
-  level->offset += raised - height;
+  const double least = 1000.0 * height_rounding(eye, plane);
+  const double raised = fmax(on_plane_height * water_vec3_length(arm), least);
+  // the middle of the near plane may be farther away than numbers reach
+  level->offset += (raised <= water_largest ? raised : least) - height;
   *side = WATER_ABOVE;
 }
 
