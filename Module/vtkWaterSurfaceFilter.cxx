@@ -37,7 +37,7 @@ constexpr const char* kLevel = vtkWaterColumns::LevelName;
 constexpr const char* kDepth = vtkWaterColumns::DepthName;
 constexpr vtkIdType kSample = 4096; // places whose heights are compared
 
-// Names of all arrays, for an error.
+// Names of all numeric arrays, for an error.
 std::string NamesOf(vtkDataSet* data)
 {
   std::string names;
@@ -47,6 +47,10 @@ std::string NamesOf(vtkDataSet* data)
     for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
     {
       const char* name = arrays->GetArrayName(i);
+      if (!arrays->GetArray(i)) // texts
+      {
+        continue;
+      }
       names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)") +
         (arrays == data->GetCellData() ? " (cells)" : " (points)");
     }
@@ -68,7 +72,7 @@ std::string Find(vtkDataSet* data, const std::string& name, vtkDataArray*& array
   array = array ? array : data->GetCellData()->GetArray(name.c_str());
   if (!array)
   {
-    return "there is no numeric array '" + name + "'; the arrays are: " + NamesOf(data);
+    return "there is no numeric array '" + name + "'; the numeric arrays are: " + NamesOf(data);
   }
   const int components = array->GetNumberOfComponents();
   const vtkIdType wanted = isOfCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
@@ -97,7 +101,7 @@ std::string FindAll(vtkDataSet* data, const std::string& level, const std::strin
   given.AreOfCells = isLevelOfCells || isDepthOfCells;
   if (wrong.empty() && !given.Level && !given.Depth)
   {
-    return "neither LevelArrayName nor DepthArrayName is set; the arrays are: " + NamesOf(data);
+    return "neither LevelArrayName nor DepthArrayName is set; the numeric arrays are: " + NamesOf(data);
   }
   if (wrong.empty() && given.Level && given.Depth && isLevelOfCells != isDepthOfCells)
   {

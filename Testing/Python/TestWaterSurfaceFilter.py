@@ -8,7 +8,7 @@ import pytest
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData, vtkDelaunay2D
@@ -313,6 +313,19 @@ def test_cells_of_too_few_points_are_an_error(kind, wanted):
     _, surface, said = surface_of(grid, DepthArrayName="h")
     text = f"cell 0 has 3 points; cells of its type ({kind}) have {wanted}"
     wt.check_equal("errors with the text, cells", (len(said), text in said[0], surface.GetNumberOfCells()), (1, True, 0))
+
+
+def test_an_array_of_texts_is_not_listed_among_those_that_can_be_shown():
+    """An error for a missing array names the numeric ones."""
+    mesh = flooded(0.4)
+    texts = vtkStringArray()
+    texts.SetName("texts")
+    texts.SetNumberOfValues(mesh.GetNumberOfPoints())
+    mesh.GetPointData().AddArray(texts)
+    _, _, said = surface_of(mesh, DepthArrayName="texts")
+    names = said[0].split("the numeric arrays are: ")[1]
+    wt.check_equal("errors", len(said), 1)
+    wt.check_equal("the texts are listed, the depths are", ("texts" in names, "h (points)" in names), (False, True))
 
 
 def test_lines_are_no_surface():

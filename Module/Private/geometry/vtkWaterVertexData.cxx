@@ -52,6 +52,10 @@ std::string NamesOf(vtkDataSet* data)
     for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
     {
       const char* name = arrays->GetArrayName(i);
+      if (!arrays->GetArray(i)) // texts
+      {
+        continue;
+      }
       names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)");
     }
   }
@@ -126,7 +130,7 @@ std::string vtkWaterVertexData::Check(vtkMapper* mapper, const Use& use, const s
   vtkDataArray* array = Find(data, name, &count);
   if (!array)
   {
-    return "there is no numeric array '" + name + "'; the arrays are: " + NamesOf(data);
+    return "there is no numeric array '" + name + "'; the numeric arrays are: " + NamesOf(data);
   }
   const int components = array->GetNumberOfComponents();
   if (components < use.Least || components > use.Most)
