@@ -101,7 +101,8 @@ std::string FindAll(vtkDataSet* data, const std::string& level, const std::strin
   given.AreOfCells = isLevelOfCells || isDepthOfCells;
   if (wrong.empty() && !given.Level && !given.Depth)
   {
-    return "neither LevelArrayName nor DepthArrayName is set; the numeric arrays are: " + NamesOf(data);
+    return "neither LevelArrayName nor DepthArrayName is set; the numeric arrays are: " +
+      NamesOf(data);
   }
   if (wrong.empty() && given.Level && given.Depth && isLevelOfCells != isDepthOfCells)
   {

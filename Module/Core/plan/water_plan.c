@@ -276,6 +276,15 @@ static water_status fill_drawn_view(const water_scene* scene, const water_plan_c
   return status == WATER_OK ? fill_shade(scene, input, axes, plan) : status;
 }
 
+// Are the matrices of a drawn view numbers? They are not where a camera all but touches the plane
+// that another view is projected along.
+static bool is_drawable(const water_plan* plan)
+{
+  double world_to_texture[16];
+  water_mirror_texture_matrix(&plan->mirrored, world_to_texture);
+  return water_all_finite(world_to_texture, 16) && water_all_finite(plan->clip_plane_window, 4);
+}
+
 water_status water_plan_make(const water_scene* scene, water_plan* plan, water_cull_reason* reasons)
 {
   water_plan made;
@@ -314,6 +323,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
         made.bad_index = bad_index;
         props_status = WATER_BAD_PROP_BOUNDS;
       }
+      status = status == WATER_OK && !is_drawable(&made) ? WATER_BAD_CAMERA : status;
     }
     if (water_decision_is_unseen(made.decision))
     {
