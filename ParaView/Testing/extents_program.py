@@ -39,10 +39,7 @@ def main():
     parser.add_argument("name")
     parser.add_argument("--server")
     options = parser.parse_args()
-    if options.server:
-        pv.Connect("localhost", int(options.server))
-        water_scene.load(remote=True)
-    water_scene.load()
+    water_scene.begin(options.server)
     for scene in (balls, basin):
         view = water_scene.make_view()
         view.RemoteRenderThreshold = 0.0

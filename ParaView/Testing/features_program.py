@@ -154,10 +154,7 @@ def main():
     parser.add_argument("--frames", type=int, default=60)
     parser.add_argument("--server")
     options = parser.parse_args()
-    if options.server:
-        pv.Connect("localhost", int(options.server))
-        water_scene.load(remote=True)
-    water_scene.load()
+    water_scene.begin(options.server)
     view, balls, shown = make_scene(options.dry)
     interact(view, shown, options.name)
     toggle(view, balls, shown, options.name, options.frames)

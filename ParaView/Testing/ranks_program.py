@@ -45,10 +45,7 @@ def main():
     parser.add_argument("--look", choices=("calm", "sea", "basin", "balls"), default="calm")
     parser.add_argument("--server")
     options = parser.parse_args()
-    if options.server:
-        pv.Connect("localhost", int(options.server))
-        water_scene.load(remote=True)
-    water_scene.load()
+    water_scene.begin(options.server)
     view = pv.CreateView("RenderView")
     view.ViewSize = SIZE
     view.OrientationAxesVisibility = 0

@@ -24,6 +24,14 @@ def load(remote=False):
     pv.LoadPlugin(PLUGIN, remote=remote, ns=vars(pv))
 
 
+def begin(server=None):
+    """Loads the plugin, and before on a server that listens at this port, to which it connects."""
+    if server:
+        pv.Connect("localhost", int(server))
+        load(remote=True)
+    load()
+
+
 def path(name):
     return os.path.join(OUTPUT, name)
 

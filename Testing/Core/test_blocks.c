@@ -232,30 +232,24 @@ static water_cell hole_beside_the_first_column(int x, int y)
   return x == 1 && y == 2 ? WATER_CELL_NONE : WATER_CELL_WHOLE;
 }
 
-// The cell (0, 2) is the only one beside the lower side of the block of two cells at (0, 0).
-TEST(the_first_column_is_a_neighbour)
+static water_cell hole_beside_the_first_row(int x, int y)
 {
-  const water_blocks blocks = made(hole_beside_the_first_column);
+  return hole_beside_the_first_column(y, x);
+}
+
+// The cell (0, 2), or (2, 0), is the only one beside a side of the block of two cells at (0, 0).
+TEST(the_first_row_and_column_are_neighbours)
+{
+  water_blocks blocks = made(hole_beside_the_first_column);
   assert_int_equal(blocks.size[0][0], 1);
   assert_int_equal(blocks.size[2][0], 0);
   assert_true(water_blocks_has_middle(&blocks, 0, 0, 2));
-}
-
-static water_cell hole_beside_the_first_row(int x, int y)
-{
-  return x == 2 && y == 1 ? WATER_CELL_NONE : WATER_CELL_WHOLE;
-}
-
-// The cell (2, 0) is the only one beside the right side of the block of two cells at (0, 0).
-TEST(the_first_row_is_a_neighbour)
-{
-  const water_blocks blocks = made(hole_beside_the_first_row);
+  blocks = made(hole_beside_the_first_row);
   assert_int_equal(blocks.size[0][0], 1);
   assert_int_equal(blocks.size[0][2], 0);
   assert_true(water_blocks_has_middle(&blocks, 0, 0, 1));
 }
 
-TESTS(the_first_row_is_a_neighbour, the_first_column_is_a_neighbour,
-  nothing_beside_a_block_makes_it_no_smaller, cells_at_the_border_are_neighbours,
-  blocks_cover_whole_cells_once, sides_have_the_vertices_that_lie_on_them, blocks_are_large,
-  the_grid_ends)
+TESTS(the_first_row_and_column_are_neighbours, nothing_beside_a_block_makes_it_no_smaller,
+  cells_at_the_border_are_neighbours, blocks_cover_whole_cells_once,
+  sides_have_the_vertices_that_lie_on_them, blocks_are_large, the_grid_ends)

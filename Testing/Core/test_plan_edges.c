@@ -382,11 +382,36 @@ TEST(near_plane_stays_without_a_far_plane)
   }
 }
 
-TESTS(the_clip_cuts_what_is_across_the_water, only_the_mirrored_view_asks_what_is_reflected,
-  a_prop_of_the_smallest_size_is_drawn, a_wide_point_reaches_half_its_width_and_a_pixel,
-  a_prop_is_small_if_it_is_so_both_ways, clip_is_under_the_troughs,
-  heights_at_the_end_of_their_range, tops_are_over_the_troughs, one_dome_of_many_props,
-  a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
+// A view along the sun of a box that rises so little over the plane has no matrices: its range of
+// depths has no inverse. Found by the fuzzer of plans.
+TEST(sun_view_whose_matrices_are_no_numbers)
+{
+  const double world_to_view[16] = { 1.0, 0.0, 0.0, 0.0, 0.0, -0.9614231729407493,
+    -0.27507359475700693, 0.0, 0.0, 0.27507359475700693, -0.9614231729407493,
+    6.4685791714588124e-317, 0.0, 0.0, 0.0, 1.0 };
+  const double view_to_clip[16] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.3, 0.0, 0.0, 0.0, 0.0, -1.01, -2.01,
+    0.0, 0.0, -1.0, 0.0 };
+  const double sun[3] = { 1.0, 1.0, 1.0 };
+  const water_prop box = { { -1.0, 1.0, -1.0, 1.0, -1.0, 1.483509328541691e-306 }, visible, 0.0f };
+  water_scene scene = lake();
+  memcpy(scene.eye.world_to_view, world_to_view, sizeof world_to_view);
+  memcpy(scene.eye.view_to_clip, view_to_clip, sizeof view_to_clip);
+  memcpy(scene.sun_dir, sun, sizeof sun);
+  scene.is_from_sun = scene.has_sun = true;
+  scene.settings.skips = 0;
+  scene.props = &box;
+  scene.prop_count = 1;
+  water_cull_reason reason;
+  water_plan plan;
+  assert_int_equal(water_plan_make(&scene, &plan, &reason), WATER_BAD_CAMERA);
+  assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
+}
+
+TESTS(sun_view_whose_matrices_are_no_numbers, the_clip_cuts_what_is_across_the_water,
+  only_the_mirrored_view_asks_what_is_reflected, a_prop_of_the_smallest_size_is_drawn,
+  a_wide_point_reaches_half_its_width_and_a_pixel, a_prop_is_small_if_it_is_so_both_ways,
+  clip_is_under_the_troughs, heights_at_the_end_of_their_range, tops_are_over_the_troughs,
+  one_dome_of_many_props, a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
   nothing_counts_in_a_rectangle_without_an_area, unseen_endless_water_may_be_drawn,
   light_rolls_off_where_nothing_maps_it, depths_with_both_planes_moved,
   near_plane_stays_at_the_edges_of_props, near_plane_stays_without_a_far_plane)

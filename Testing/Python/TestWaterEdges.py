@@ -149,7 +149,7 @@ def posts_before_stripes():
 
 @pytest.mark.parametrize("is_software", (1, 0))
 def test_edges_in_front_of_water_are_smooth(is_software, monkeypatch):
-    """With 4 samples a pixel that water shares with a post has the water's colour in its own samples."""
+    """With 4 samples the reflection in a pixel that water shares with a post is that beside it, not that a pixel away."""
     monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
     view, water = posts_before_stripes()
     water.GetWaterProperty().RefractionOff()

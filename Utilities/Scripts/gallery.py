@@ -134,5 +134,6 @@ def main():
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except subprocess.CalledProcessError as error:  # it has said why
+    except subprocess.CalledProcessError as error:
+        print(error.output or "", end="", file=sys.stderr)  # of a recipe; others have said why
         sys.exit(error.returncode)

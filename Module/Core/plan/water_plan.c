@@ -276,8 +276,7 @@ static water_status fill_drawn_view(const water_scene* scene, const water_plan_c
   return status == WATER_OK ? fill_shade(scene, input, axes, plan) : status;
 }
 
-// Are the matrices of a drawn view numbers? They are not where a camera all but touches the plane
-// that another view is projected along.
+// Are the matrices of a drawn view numbers? They are not if its range of depths has no inverse.
 static bool is_drawable(const water_plan* plan)
 {
   double world_to_texture[16];

@@ -53,8 +53,8 @@ vec2 waterFacetSlopes(WaterPoint point, float spread)
 // sine  of the angle at which the eye sees the plane
 int waterFacetCount(float variance, float sine)
 {
-  float even = min(waterSmooth, WATER_GRAZING * sine * sine);
-  int count = variance > WATER_ROUGH ? 4 : (variance > even ? 2 : 1);
+  float mostOfOne = min(waterSmooth, WATER_GRAZING * sine * sine);
+  int count = variance > WATER_ROUGH ? 4 : (variance > mostOfOne ? 2 : 1);
   return waterShowsMean() ? 1 : count;
 }
 

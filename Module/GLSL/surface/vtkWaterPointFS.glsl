@@ -27,8 +27,8 @@ uniform vec3 waterSunDir;          // towards it, in the plane's axes
 uniform vec3 waterSlopeVariance;   // xx, yy, xy of the slopes too small for waves
 uniform vec4 waterSkyBottom;       // of the background; a: 1 when the sky is known in all directions
 
-uniform int waterSceneSamples;    // of a pixel of the picture, which are told apart; 0: there is one
-uniform sampler2D waterSceneSeen; // then what vtkWaterSeenFS.glsl has found
+uniform int waterSceneHasSamples; // 1: the picture is multisampled, and its samples are told apart
+uniform sampler2D waterSceneSeen; // then from the pixel's middle to where the surface is seen, pixels
 
 #include "vtkWaterDataColor.glsl"
 
@@ -67,22 +67,11 @@ struct WaterPlaces
 vec2 waterSeenShift()
 {
   vec2 shift = vec2(0.0);
-  for (int i = 0; i < min(waterSceneSamples, 1); ++i)
+  for (int i = 0; i < waterSceneHasSamples; ++i)
   {
     shift = texelFetch(waterSceneSeen, ivec2(gl_FragCoord.xy - waterViewport.xy), 0).rg;
   }
   return shift;
-}
-
-// The samples in which the surface is seen, a bit for each.
-int waterSeenSamples()
-{
-  ivec2 bits = ivec2(0);
-  for (int i = 0; i < min(waterSceneSamples, 1); ++i)
-  {
-    bits = ivec2(texelFetch(waterSceneSeen, ivec2(gl_FragCoord.xy - waterViewport.xy), 0).ba);
-  }
-  return bits.x | (bits.y << 16);
 }
 
 float waterPerW();       // 1 / w of the surface at the pixel; of the slot pixel

@@ -88,8 +88,8 @@ void vtkWaterSampleSpread::MakePrograms(int samples, int side)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSampleSpread::DrawSeen(
-  vtkOpenGLRenderWindow* window, const Picture& picture, const double* heightClip)
+bool vtkWaterSampleSpread::DrawSeen(vtkOpenGLRenderWindow* window, const Picture& picture,
+  const float places[][2], const double* heightClip)
 {
   this->SeenFramebuffer->Bind();
   this->SeenFramebuffer->AddColorAttachment(0, this->Seen);
@@ -104,7 +104,7 @@ bool vtkWaterSampleSpread::DrawSeen(
     const vtkWaterScopedPlainDraws plain(state);
     state->vtkglViewport(picture.Part[0], picture.Part[1], picture.Part[2], picture.Part[3]);
     vtkWaterUniforms::Set(program, "waterSampleDepth", 1);
-    program->SetUniform2fv("waterSamplePlaces", picture.Samples, this->Places);
+    program->SetUniform2fv("waterSamplePlaces", picture.Samples, places);
     SetRect(program, "waterSampleRect", picture.Rect);
     SetRect(program, "waterSamplePart", picture.Part);
     vtkWaterUniforms::Set4(program, "waterHeightClip", heightClip);
@@ -115,7 +115,7 @@ bool vtkWaterSampleSpread::DrawSeen(
 
 //------------------------------------------------------------------------------
 bool vtkWaterSampleSpread::DrawSpread(vtkOpenGLRenderWindow* window, const Picture& picture,
-  int side, vtkTextureObject* color, vtkTextureObject* depth)
+  const float places[][2], int side, vtkTextureObject* color, vtkTextureObject* depth)
 {
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, color);
@@ -128,7 +128,7 @@ bool vtkWaterSampleSpread::DrawSpread(vtkOpenGLRenderWindow* window, const Pictu
     int fine[4]; // of the finer picture
     std::transform(picture.Part, picture.Part + 4, fine, [side](int px) { return side * px; });
     int numbers[WATER_SAMPLES_SIDE_MAX * WATER_SAMPLES_SIDE_MAX] = {};
-    water_samples_nearest(this->Places, picture.Samples, side, numbers);
+    water_samples_nearest(places, picture.Samples, side, numbers);
     const vtkWaterScopedOverwrite overwrite(window->GetState(), fine);
     vtkWaterUniforms::Set(program, "waterSampleColor", 0);
     vtkWaterUniforms::Set(program, "waterSampleDepth", 1);
@@ -142,7 +142,7 @@ bool vtkWaterSampleSpread::DrawSpread(vtkOpenGLRenderWindow* window, const Pictu
     vtkWaterUniforms::Set(program, "waterSamplePlane", 3);
     SetRect(program, "waterSampleRect", picture.Rect);
     SetRect(program, "waterSamplePart", picture.Part);
-    program->SetUniform2fv("waterSamplePlaces", picture.Samples, this->Places);
+    program->SetUniform2fv("waterSamplePlaces", picture.Samples, places);
     program->SetUniform1iv("waterSampleNumbers", side * side, numbers);
     this->Quad.Draw();
     glBindTexture(GL_TEXTURE_2D, 0);
@@ -162,19 +162,20 @@ bool vtkWaterSampleSpread::Draw(vtkOpenGLRenderWindow* window, const Picture& pi
     return false;
   }
   vtkOpenGLState* state = window->GetState();
+  float places[WATER_SAMPLES_MAX][2] = {};
   for (int i = 0; i < picture.Samples; ++i)
   {
     glGetMultisamplefv(
-      GL_SAMPLE_POSITION, static_cast<GLuint>(i), this->Places[i]); // of the bound framebuffer
-    std::for_each(this->Places[i], this->Places[i] + 2, [](float& place) { place -= 0.5f; });
+      GL_SAMPLE_POSITION, static_cast<GLuint>(i), places[i]); // of the bound framebuffer
+    std::for_each(places[i], places[i] + 2, [](float& place) { place -= 0.5f; });
   }
   this->MakePrograms(picture.Samples, side);
   state->PushFramebufferBindings();
   bool isDrawn = false;
   {
     const vtkWaterScopedSamples samples(state, picture.Color, picture.Depth);
-    isDrawn = this->DrawSeen(window, picture, heightClip) &&
-      this->DrawSpread(window, picture, side, color, depth);
+    isDrawn = this->DrawSeen(window, picture, places, heightClip) &&
+      this->DrawSpread(window, picture, places, side, color, depth);
   }
   state->PopFramebufferBindings();
   return isDrawn;

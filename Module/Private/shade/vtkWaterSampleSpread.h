@@ -8,7 +8,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h" // for members
 #include "vtkWaterQuad.h"
-#include "water_samples.h" // for members
 
 #include <string>
 
@@ -44,18 +43,15 @@ public:
   // picture.
   vtkTextureObject* GetSeen() { return this->Seen; }
 
-  // Samples of a pixel, and their places from its middle, pixels: of the last picture.
-  int GetSamples() const { return this->Samples; }
-  const float (*GetPlaces() const)[2] { return this->Places; }
-
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   bool Ensure(vtkOpenGLRenderWindow* window, const Picture& picture);
   void MakePrograms(int samples, int side); // for so many, when they are next ready
-  bool DrawSeen(vtkOpenGLRenderWindow* window, const Picture& picture, const double* heightClip);
-  bool DrawSpread(vtkOpenGLRenderWindow* window, const Picture& picture, int side,
-    vtkTextureObject* color, vtkTextureObject* depth);
+  bool DrawSeen(vtkOpenGLRenderWindow* window, const Picture& picture, const float places[][2],
+    const double* heightClip);
+  bool DrawSpread(vtkOpenGLRenderWindow* window, const Picture& picture, const float places[][2],
+    int side, vtkTextureObject* color, vtkTextureObject* depth);
 
   vtkSmartPointer<vtkTextureObject> MakeTexture(
     vtkOpenGLRenderWindow* window, const Picture& picture);
@@ -69,7 +65,6 @@ private:
   std::string SeenSource; // of their shaders
   std::string Source;
   int Samples = 0; // they are for so many
-  float Places[WATER_SAMPLES_MAX][2] = {};
   int Side = 0;
 };
 

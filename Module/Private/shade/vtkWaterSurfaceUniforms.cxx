@@ -155,13 +155,9 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterRestSteps",
     water_waves_rest_steps(program->IsUniformUsed("waterAxesToClip"), this->IsSteep));
   uniforms::Set(program, "waterFootprint", look.RayTraceFootprint);
-  const vtkWaterSampleSpread* spread = this->Backdrop.GetSpread();
-  uniforms::Set(program, "waterSceneSamples", spread ? spread->GetSamples() : 0);
-  if (spread)
-  {
-    program->SetUniform2fv("waterSamplePlaces", spread->GetSamples(), spread->GetPlaces());
-  }
-  else
+  const bool isSpread = this->Backdrop.GetSpread() != nullptr;
+  uniforms::Set(program, "waterSceneHasSamples", isSpread ? 1 : 0);
+  if (!isSpread)
   {
     this->SetNoTexture(program, "waterSceneSeen");
   }
