@@ -207,12 +207,11 @@ namespace
 class ScopedHole
 {
 public:
-  ScopedHole(vtkRenderer* renderer, vtkProp* water, const vtkWaterRanks& ranks)
+  ScopedHole(vtkRenderer* renderer, vtkProp* water, bool isShown)
     : Blend(StateOf(renderer), GL_BLEND)
     , BlendFunc(StateOf(renderer))
   {
-    if (!ranks.ShowsWater() && !renderer->GetSelector() &&
-      !vtkWaterRenderPassKeys::IsBakingShadows(water))
+    if (!isShown && !renderer->GetSelector() && !vtkWaterRenderPassKeys::IsBakingShadows(water))
     {
       vtkOpenGLState* state = StateOf(renderer);
       state->vtkglEnable(GL_BLEND);
@@ -255,6 +254,10 @@ water_feature_set FeaturesWith(
   features = hasSamples ? water_features_with_samples(features) : features;
   const bool hasLayerBelow = water.WantsOwnView() && inputs.OwnView.Translucent.Color;
   features = hasLayerBelow ? water_features_with_below_layer(features) : features;
+  if (inputs.Ranks && inputs.Ranks->HasRegion() && water.Look.Opacity < 1.0)
+  {
+    features = water_features_with_rank_region(features);
+  }
   const bool hasOwnSky = vtkWaterSurfaceShader::HasOwnSky(water);
   if (inputs.Plan)
   {
@@ -395,7 +398,9 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   }
   if (!internal.Surface.GetIsBuffered())
   {
-    const ScopedHole hole(renderer, this, frame.GetReflection(internal).Ranks);
+    const bool isShown =
+      (used & WATER_FEATURE_RANK_REGION) != 0 || frame.GetReflection(internal).Ranks.ShowsWater();
+    const ScopedHole hole(renderer, this, isShown);
     internal.DrawSurface(internal.Surface, renderer, drawn);
   }
   occlusion->End();

@@ -121,8 +121,10 @@ void vtkWaterActor::ChooseSheet(const std::vector<vtkRenderer*>& scene)
   this->Internal->FindSceneBounds(scene, bounds);
   this->Internal->ReadPlane(&plane, origin);
   // water alone is open water, in a frame; before there is nothing yet to choose by
+  vtkWaterGround& ground = this->Internal->Ground;
   this->SheetToHorizon = vtkMath::AreBoundsInitialized(bounds)
-    ? !this->Internal->Ground.IsUnder(plane, bounds, scene)
+    ? !(this->Internal->HasRankBounds ? ground.IsUnderOfRanks(plane)
+                                      : ground.IsUnder(plane, bounds, scene))
     : std::any_of(scene.begin(), scene.end(), IsRendering);
 }
 
@@ -197,6 +199,50 @@ void vtkWaterActor::Internals::FindSceneBounds(
     return;
   }
   vtkWaterSheet::FindSceneBounds(scene, bounds);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::HasAutomaticExtent()
+{
+  return this->Self->SheetIsAutomatic && this->Self->UsesOwnSheet();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::IsGroundJoined()
+{
+  std::vector<vtkRenderer*> scene;
+  FindRenderers(this->Self, scene);
+  water_plane plane;
+  double origin[3];
+  this->ReadPlane(&plane, origin);
+  return this->HasRankBounds && this->Ground.IsJoined(plane, this->RankBounds, scene);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkWaterActor::Internals::ReadGroundPart()
+{
+  std::vector<vtkRenderer*> scene;
+  FindRenderers(this->Self, scene);
+  water_plane plane;
+  double origin[3];
+  this->ReadPlane(&plane, origin);
+  return this->Ground.ReadPart(plane, this->RankBounds, scene);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkWaterActor::Internals::JoinGround(const std::vector<double>& parts)
+{
+  water_plane plane;
+  double origin[3];
+  this->ReadPlane(&plane, origin);
+  return this->Ground.Join(plane, this->RankBounds, parts);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::Internals::JoinGroundBelow(const std::vector<double>& parts)
+{
+  this->Ground.JoinBelow(parts);
+  this->FittedFrame = this->MeasuredFrame = this->SnapshotFrame = 0;
 }
 
 //------------------------------------------------------------------------------

@@ -205,8 +205,7 @@ void vtkWaterActor::Internals::Describe(vtkWaterLook& look)
 {
   vtkWaterProperty* property = this->Self->WaterProperty;
   property->Describe(property->GetMetresPerUnit() == 0.0 ? this->GetSceneDiagonal() : 0.0, look);
-  // a rank knows its own part of the bed alone
-  const bool isKnown = this->Self->SheetIsAutomatic && !this->HasRankBounds;
+  const bool isKnown = this->Self->SheetIsAutomatic;
   look.HasGround = isKnown && !this->Self->SheetToHorizon;
   look.Bed = isKnown && !look.HasGround ? WATER_UNITS_BED_NONE : WATER_UNITS_BED_UNEVEN;
   look.Bed = look.HasGround && this->Ground.GetIsFlat() ? WATER_UNITS_BED_FLAT : look.Bed;

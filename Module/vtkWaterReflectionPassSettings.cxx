@@ -6,7 +6,9 @@
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
 #include "water_plan.h"
+#include "water_ranks.h"
 
+#include <algorithm>
 #include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -232,6 +234,41 @@ void vtkWaterReflectionPass::SetFarthestRank(int rank)
 int vtkWaterReflectionPass::GetFarthestRank() const
 {
   return this->Reflection->Ranks.GetFarthest();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetRankRegion(const double bounds[6])
+{
+  if (!water_rank_region_is_there(bounds))
+  {
+    vtkErrorMacro("RankRegion is (" << bounds[0] << ", " << bounds[1] << ", " << bounds[2] << ", "
+                                    << bounds[3] << ", " << bounds[4] << ", " << bounds[5]
+                                    << "); it must have each minimum below its maximum, and no "
+                                       "NaN. It stays as it was.");
+    return;
+  }
+  if (!std::equal(bounds, bounds + 6, this->GetRankRegion()))
+  {
+    this->Reflection->Ranks.SetRegion(bounds);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflectionPass::ResetRankRegion()
+{
+  const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  if (!std::equal(none, none + 6, this->GetRankRegion()))
+  {
+    this->Reflection->Ranks.SetRegion(none);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const double* vtkWaterReflectionPass::GetRankRegion() const
+{
+  return this->Reflection->Ranks.GetRegion();
 }
 
 //------------------------------------------------------------------------------
@@ -507,6 +544,12 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TextureScaleInUse: " << this->GetTextureScaleInUse() << "\n";
   os << indent << "Controller: " << this->Reflection->Ranks.GetText() << "\n";
   os << indent << "FarthestRank: " << this->GetFarthestRank() << "\n";
+  os << indent << "RankRegion:";
+  for (int i = 0; i < 6; ++i)
+  {
+    os << " " << this->GetRankRegion()[i];
+  }
+  os << "\n";
   os << indent << "RankWaitLimit: " << this->GetRankWaitLimit() << " s\n";
   os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";
   os << indent << "NumberOfReflectionRenders: " << this->GetNumberOfReflectionRenders() << "\n";

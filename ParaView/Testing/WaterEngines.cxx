@@ -49,7 +49,12 @@ std::vector<vtkBoundingBox> BoxesOf(int ranks)
 
 void ArrangeIceT(WaterOrderedScene& scene, vtkMultiProcessController* controller, bool isOrdered)
 {
+  vtkNew<vtkDepthPeelingPass> peeling; // panes and translucent water of one rank
+  peeling->SetMaximumNumberOfPeels(20);
+  peeling->SetOcclusionRatio(0.0);
+  peeling->SetTranslucentPass(vtkNew<vtkTranslucentPass>());
   vtkNew<vtkRenderStepsPass> steps;
+  steps->SetTranslucentPass(peeling);
   vtkNew<vtkIceTCompositePass> pass;
   pass->SetController(controller);
   pass->SetRenderPass(steps);

@@ -131,6 +131,7 @@ static inline size_t shader_combinations(water_feature_set* sets)
         sets[count++] = water_features_with_foam_data(water_features_with_matter(sloped));
         sets[count++] = water_features_with_shore(water_features_with_mesh(hardware));
         sets[count++] = water_features_with_hulls(asked);
+        sets[count++] = water_features_with_rank_region(hardware);
         sets[count++] = water_features_with_port(hardware);
         sets[count++] = water_features_with_ground(asked);
         sets[count++] = water_features_with_ground(hardware);

@@ -287,6 +287,7 @@ TEST(sets_have_room_for_64_features)
   assert_true((water_features_with_mesh(last) & last) != 0);
   assert_true((water_features_with_slopes(last, WATER_LOOKUP_RAY_TRACED) & last) != 0);
   assert_true((water_features_with_hulls(last) & last) != 0);
+  assert_true((water_features_with_rank_region(last) & last) != 0);
   assert_true((water_features_with_flow(last) & last) != 0);
   assert_true((water_features_with_matter(last) & last) != 0);
   assert_true((water_features_with_foam_data(last) & last) != 0);

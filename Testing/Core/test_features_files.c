@@ -27,9 +27,9 @@ enum
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
   // not flat, or without, with samples, with hulls, with a current, with matter, with foam of data,
-  // over ground or none, with a layer below, in a buffer, cut at the shore, and under one of 8
-  // kinds of skies
-  REACHABLE_MAX = (2 + 19 * 8) * LOOKS
+  // over ground or none, with a layer below, in a buffer, cut at the shore, in a rank's part of
+  // the space, and under one of 8 kinds of skies
+  REACHABLE_MAX = (2 + 20 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -94,7 +94,8 @@ static size_t reach_all(const water_feature_set** all)
       features[count + 16] = water_features_with_shore(features[count + has % 8]);
       features[count + 17] = water_features_with_open(features[count + has % 8]);
       features[count + 18] = water_features_with_below_layer(features[count + has % 8]);
-      count += 19;
+      features[count + 19] = water_features_with_rank_region(features[count + has % 8]);
+      count += 20;
     }
   }
   qsort(features, count, sizeof features[0], compare_sets);
@@ -235,11 +236,11 @@ TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "mixture",
     "scattered", "slopes", "highlights", "cover", "measure", "gain", "cell", "place", "under",
-    "height", "clarity", "point", "pixel", "hulls", "sky", "floor", "tile", "slope", "sines",
-    "tiles", "folds", "sea", "normal_maps", "flow", "waves", "output", "reflection", "dome", "end",
-    "walk", "behind", "layer", "blur", "caustics", "picture", "haze", "medium", "below", "shafts",
-    "others", "refraction", "ground", "facet_slopes", "facets", "rays", "shadows", "glitter",
-    "whitecaps", "foam_data", "foam", "sun", "port", "surface" };
+    "height", "clarity", "point", "pixel", "hulls", "region", "sky", "floor", "tile", "slope",
+    "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves", "output", "reflection",
+    "dome", "end", "walk", "behind", "layer", "blur", "caustics", "picture", "haze", "medium",
+    "below", "shafts", "others", "refraction", "ground", "facet_slopes", "facets", "rays",
+    "shadows", "glitter", "whitecaps", "foam_data", "foam", "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "matter", "foam", "shore", "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "pixel", "tile",

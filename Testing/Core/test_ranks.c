@@ -62,6 +62,11 @@ TEST(rank_that_differs_is_named)
   assert_int_equal(
     water_ranks_join_frames(frames, 4, bounds, &bad_rank), WATER_RANKS_DIFFERENT_WATERS);
   assert_int_equal(bad_rank, 1);
+  frames[1].water_count = frames[0].water_count;
+  frames[1].automatic = 5.0; // of as many waters, others choose their extent
+  assert_int_equal(
+    water_ranks_join_frames(frames, 4, bounds, &bad_rank), WATER_RANKS_DIFFERENT_WATERS);
+  assert_int_equal(bad_rank, 1);
   frames[2].has_error = 1.0; // before anything is compared
   assert_int_equal(water_ranks_join_frames(frames, 4, bounds, &bad_rank), WATER_RANKS_BAD_WATER);
   assert_int_equal(bad_rank, 2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a water looks up beside its mirrored view is that of all ranks: the sun view (shadows on the
-// water), the own view of clear water, and the sky view (a dome seen by rays of waves). Each rank
+// water), the own view of clear water, and the sky view (a dome seen by rays of waves). So is the
+// ground by which a sheet chooses its extent. Each rank
 // has some of the things; the picture that they make together by depth is compared with the serial
 // one. The processes are forked and talk over sockets: no MPI is needed.
 #include "WaterPictures.h"
@@ -12,6 +13,7 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkLight.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkWaterReflectionPass.h"
 
@@ -29,7 +31,8 @@ enum View
 {
   SUN_VIEW,
   OWN_VIEW,
-  SKY_VIEW
+  SKY_VIEW,
+  GROUND
 };
 
 struct Look
@@ -42,7 +45,8 @@ struct Look
 constexpr int kOfMany = 3; // own view with waves
 const Look kLooks[] = { { "shadows on glitter", SUN_VIEW, false },
   { "shadows on waves", SUN_VIEW, true }, { "own view", OWN_VIEW, false },
-  { "own view with waves", OWN_VIEW, true }, { "sky view", SKY_VIEW, true } };
+  { "own view with waves", OWN_VIEW, true }, { "sky view", SKY_VIEW, true },
+  { "extent by the ground", GROUND, false } };
 
 // A floor of many boxes. Some are not reflected; others have a ball high over the water that is
 // reflected in their place. An own view shows neither difference.
@@ -77,6 +81,36 @@ void AddBed(vtkRenderer* renderer)
       keys->Set(vtkWaterReflectionPass::STAND_IN(), standIn);
     }
     actor->SetPropertyKeys(keys);
+    renderer->AddActor(actor);
+  }
+}
+
+// A basin, in many parts. The floor of some is under the water, and its rim is over it.
+void AddBasin(vtkRenderer* renderer)
+{
+  for (int i = 0; i < 36; ++i)
+  {
+    vtkNew<vtkPlaneSource> part;
+    const double x = 3.0 * (i % 6) - 9.0;
+    const double y = 3.0 * (i / 6) - 9.0;
+    part->SetOrigin(x, y, 0.0);
+    part->SetPoint1(x + 3.0, y, 0.0);
+    part->SetPoint2(x, y + 3.0, 0.0);
+    part->SetResolution(12, 12);
+    part->Update();
+    vtkPolyData* made = part->GetOutput();
+    for (vtkIdType k = 0; k < made->GetNumberOfPoints(); ++k)
+    {
+      double at[3];
+      made->GetPoint(k, at);
+      at[2] = 0.016 * (at[0] * at[0] + at[1] * at[1]) - 0.8;
+      made->GetPoints()->SetPoint(k, at);
+    }
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(made);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(0.6, 0.5, 0.3);
     renderer->AddActor(actor);
   }
 }
@@ -122,6 +156,10 @@ struct Scene : public WaterTestScene
     {
       AddBed(this->Renderer);
     }
+    if (look.Wanted == GROUND)
+    {
+      AddBasin(this->Renderer);
+    }
     vtkPropCollection* props = this->Renderer->GetViewProps();
     this->Changed = vtkActor::SafeDownCast(props->GetItemAsObject(4)); // on every rank
     const int count = props->GetNumberOfItems();
@@ -136,6 +174,10 @@ struct Scene : public WaterTestScene
     this->AddWater();
     vtkWaterProperty* water = this->Water->GetWaterProperty();
     water->SetMetresPerUnit(1.0);
+    if (look.Wanted == GROUND)
+    {
+      this->Water->SetSheetToAutomatic();
+    }
     if (look.HasWaves)
     {
       water->AddWave(look.Wanted == SKY_VIEW ? 0.1 : 0.04, 2.1, 30.0);

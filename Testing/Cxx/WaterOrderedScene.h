@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct WaterOrderedLook
   bool IsEndless; // to the horizon
   bool HasGlass;  // upright panes, of which each rank has one
   double Limit;   // root mean square of the difference, of 255; 0: no pixel is off by more than 1
+  bool IsTranslucent = false; // water with an Opacity below 1
+  bool IsSubmerged = false;   // the eye is under the water
 };
 
 inline std::vector<WaterOrderedLook> WaterOrderedLooks()
@@ -49,7 +52,12 @@ inline std::vector<WaterOrderedLook> WaterOrderedLooks()
     { "clear water to the horizon", true, true, true, false, 0.0 },
     { "dry with panes", false, false, false, true, 1.0 },
     { "opaque water with panes", true, false, false, true, 1.0 },
-    { "clear water with panes", true, true, false, true, 1.0 } };
+    { "clear water with panes", true, true, false, true, 1.0 },
+    { "translucent water", true, false, false, false, 1.0, true }, // blended, as panes are
+    { "translucent water to the horizon", true, false, true, false, 1.0, true },
+    { "translucent water with panes", true, false, false, true, 1.0, true },
+    { "clear water from below", true, true, true, false, 0.0, false, true },
+    { "clear water from below with panes", true, true, true, true, 1.0, false, true } };
 }
 
 struct WaterOrderedScene : public WaterTestScene
@@ -71,6 +79,14 @@ struct WaterOrderedScene : public WaterTestScene
     }
     this->Water->SetVisibility(look.IsWet);
     this->Water->GetWaterProperty()->SetRefraction(look.IsClear);
+    this->Water->GetWaterProperty()->SetOpacity(look.IsTranslucent ? 0.6 : 1.0);
+    if (look.IsSubmerged)
+    {
+      this->Renderer->GetActiveCamera()->SetPosition(3, -15, -0.9);
+      this->Renderer->GetActiveCamera()->SetFocalPoint(0, 0, -0.3);
+      this->Water->GetWaterProperty()->SetDeepColor(0.1, 0.4, 0.5); // a haze that shows
+      this->Water->GetWaterProperty()->SetAbsorption(0.1, 0.05, 0.03);
+    }
     this->Renderer->SetUseDepthPeeling(1);
     this->Renderer->SetMaximumNumberOfPeels(20);
     this->Renderer->SetOcclusionRatio(0.0);
@@ -82,6 +98,18 @@ struct WaterOrderedScene : public WaterTestScene
   }
 
   std::vector<vtkSmartPointer<vtkObject>> Kept; // of the engine
+
+  // A rank's part of the space.
+  static void FindRegion(int rank, int ranks, double region[6])
+  {
+    const double endless = std::numeric_limits<double>::infinity();
+    const bool isFar = ranks < 4 ? rank > 0 : rank > 1;
+    const bool isLeft = ranks < 4 || rank % 2 == 0;
+    const bool isRight = ranks < 4 || rank % 2 == 1;
+    const double bounds[6] = { isLeft ? -endless : kWaterCutX, isRight ? endless : kWaterCutX,
+      isFar ? kWaterCutY : -endless, isFar ? endless : kWaterCutY, -endless, endless };
+    std::copy_n(bounds, 6, region);
+  }
 
   // The rank that is farthest from the camera, which is at the near right: of four that of the far
   // left.
@@ -142,14 +170,21 @@ inline bool WaterCheckEngine(const WaterEngine& engine, vtkMultiProcessControlle
   WaterDifference floor = { 0.0, 0.0 };
   for (const WaterOrderedLook& look : WaterOrderedLooks())
   {
-    if (look.HasGlass && !engine.IsOrdered)
+    if ((look.HasGlass || look.IsTranslucent) && !engine.IsOrdered)
     {
-      continue; // an engine that compares depths does not blend panes of several ranks
+      continue; // an engine that compares depths does not blend what is translucent of several
+                // ranks
     }
     WaterOrderedScene scene(look, rank, ranks);
     vtkWaterReflectionPass* pass = scene.Water->GetReflectionPass();
     pass->SetController(controller);
     pass->SetFarthestRank(engine.IsOrdered ? WaterOrderedScene::GetFarthest(ranks) : -1);
+    if (engine.IsOrdered)
+    {
+      double region[6];
+      WaterOrderedScene::FindRegion(rank, ranks, region);
+      pass->SetRankRegion(region);
+    }
     pass->KeepBackground(scene.Renderer); // whatever the engine makes of it
     if (engine.IsBlack)
     {

@@ -144,6 +144,11 @@ water_feature_set water_features_with_hulls(water_feature_set features)
   return features | WATER_FEATURE_HULLS;
 }
 
+water_feature_set water_features_with_rank_region(water_feature_set features)
+{
+  return features | WATER_FEATURE_RANK_REGION;
+}
+
 water_feature_set water_features_with_buffer(water_feature_set features)
 {
   return features | if_has((features & WATER_FEATURE_MESH) != 0, WATER_FEATURE_BUFFERED);

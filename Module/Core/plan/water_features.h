@@ -61,7 +61,8 @@ extern "C"
   X(SKY_VIEW, "meshes that may be the sky have a view of their own")                               \
   X(SHORE, "a user's mesh is cut at the shore while it is drawn")                                  \
   X(OPEN, "open water: no ground is under it")                                                     \
-  X(BELOW_LAYER, "the own view has a layer of translucent props")
+  X(BELOW_LAYER, "the own view has a layer of translucent props")                                  \
+  X(RANK_REGION, "a rank shows the water in its own part of the space")
 
 typedef enum water_feature_bit
 {
@@ -135,6 +136,9 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "depth and derivatives, from a buffer")                                                        \
   X(hulls, vtkWaterHullsFS, WATER_FEATURE_FLAG(HULLS), 0, "no water inside hulls")                 \
   X(hulls, vtkWaterNoHullsFS, 0, WATER_FEATURE_FLAG(HULLS), "no hulls in the water")               \
+  X(region, vtkWaterRankRegionFS, WATER_FEATURE_FLAG(RANK_REGION), 0,                              \
+    "only the rank's own part of the space")                                                       \
+  X(region, vtkWaterNoRankRegionFS, 0, WATER_FEATURE_FLAG(RANK_REGION), "all of the space")        \
   X(sky, vtkWaterSkyColorFS, 0, WATER_FEATURES_SKY, "the background: one colour")                  \
   X(sky, vtkWaterSkyScreenFS, WATER_FEATURE_FLAG(SKY_SCREEN), 0,                                   \
     "the background: a picture, or a gradient")                                                    \
@@ -409,6 +413,9 @@ water_feature_set water_features_with_below_layer(water_feature_set features);
 
 // Adds the feature of water in which hulls float.
 water_feature_set water_features_with_hulls(water_feature_set features);
+
+// Adds the feature of water that a rank shows only in its own part of the space.
+water_feature_set water_features_with_rank_region(water_feature_set features);
 
 // Adds the feature of a user's mesh whose surface is in a buffer; not without heights of vertices.
 water_feature_set water_features_with_buffer(water_feature_set features);

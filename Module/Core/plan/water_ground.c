@@ -236,6 +236,7 @@ bool water_ground_add_thing(
         const double high = footprint->high[y][x];
         const double low = is_block ? high : footprint->low[y][x];
         ground->cell_low[y][x] = fmin(ground->cell_low[y][x], low);
+        ground->cell_has_block[y][x] = ground->cell_has_block[y][x] || is_block;
         add_to_border(x, y, high - low, is_block, ground);
         add_corners(x, y, is_block ? NULL : relief, ground);
       }
@@ -246,6 +247,60 @@ bool water_ground_add_thing(
     ground->block_from = fmin(ground->block_from, water_footprint_wet_from(footprint));
   }
   return true;
+}
+
+void water_ground_write(
+  const water_ground* ground, const water_relief* relief, double numbers[WATER_GROUND_NUMBERS])
+{
+  double* next = numbers;
+  for (int i = 0; i < WATER_GROUND_PLACES; ++i)
+  {
+    *next++ = ground->spread[i];
+    *next++ = ground->has_block[i] ? 1.0 : 0.0;
+  }
+  *next++ = ground->block_from;
+  *next++ = ground->bed_top;
+  for (int i = 0; i < WATER_GROUND_CELLS * WATER_GROUND_CELLS; ++i)
+  {
+    *next++ = ground->cell_low[i / WATER_GROUND_CELLS][i % WATER_GROUND_CELLS];
+    *next++ = ground->cell_has_block[i / WATER_GROUND_CELLS][i % WATER_GROUND_CELLS] ? 1.0 : 0.0;
+  }
+  memcpy(next, relief->height, sizeof relief->height);
+}
+
+void water_ground_join(
+  const double numbers[WATER_GROUND_NUMBERS], water_ground* ground, water_relief* relief)
+{
+  const double* next = numbers;
+  for (int i = 0; i < WATER_GROUND_PLACES; ++i)
+  {
+    ground->spread[i] = fmin(ground->spread[i], *next++);
+    ground->has_block[i] = *next++ > 0.0 || ground->has_block[i];
+  }
+  ground->block_from = fmin(ground->block_from, *next++);
+  ground->bed_top = fmin(ground->bed_top, *next++);
+  for (int i = 0; i < WATER_GROUND_CELLS * WATER_GROUND_CELLS; ++i)
+  {
+    double* low = &ground->cell_low[i / WATER_GROUND_CELLS][i % WATER_GROUND_CELLS];
+    bool* has_block = &ground->cell_has_block[i / WATER_GROUND_CELLS][i % WATER_GROUND_CELLS];
+    *low = fmin(*low, *next++);
+    *has_block = *next++ > 0.0 || *has_block;
+  }
+  water_relief_join_heights(next, relief);
+}
+
+void water_ground_take_relief(const water_relief* relief, water_ground* ground)
+{
+  for (int y = 0; y < WATER_GROUND_CELLS; ++y)
+  {
+    for (int x = 0; x < WATER_GROUND_CELLS; ++x)
+    {
+      if (isfinite(ground->cell_low[y][x]))
+      {
+        add_corners(x, y, ground->cell_has_block[y][x] ? NULL : relief, ground);
+      }
+    }
+  }
 }
 
 int water_ground_across(const water_ground* ground, double corners[3][3])

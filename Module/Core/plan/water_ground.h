@@ -26,8 +26,12 @@ extern "C"
 
 enum
 {
-  WATER_GROUND_PLACES = 16,                  // along the border, evenly
-  WATER_GROUND_CELLS = WATER_FOOTPRINT_CELLS // of the scene along each axis
+  WATER_GROUND_PLACES = 16,                   // along the border, evenly
+  WATER_GROUND_CELLS = WATER_FOOTPRINT_CELLS, // of the scene along each axis
+  // what processes send: of a ground and the heights of a relief; of what is below these
+  WATER_GROUND_NUMBERS = 2 * WATER_GROUND_PLACES + 2 + 2 * WATER_GROUND_CELLS * WATER_GROUND_CELLS +
+    WATER_RELIEF_CORNERS * WATER_RELIEF_CORNERS,
+  WATER_GROUND_BELOW_NUMBERS = WATER_GROUND_CELLS * WATER_GROUND_CELLS
 };
 
 typedef struct water_ground
@@ -42,6 +46,7 @@ typedef struct water_ground
   double block_from;                   // the lowest level with water over a block; infinite: none
   double bed_top;                      // of the lowest thing that is nearly as wide; infinite: none
   double cell_low[WATER_GROUND_CELLS][WATER_GROUND_CELLS]; // [y][x], lowest point; infinite: none
+  bool cell_has_block[WATER_GROUND_CELLS][WATER_GROUND_CELLS];
   // [y][x], of all surfaces, as of water_relief_at; infinite: none
   double corner_low[WATER_RELIEF_CORNERS][WATER_RELIEF_CORNERS];
 } water_ground;
@@ -76,6 +81,18 @@ void water_ground_see_relief(
 // Returns whether it may be a bed. A cone or a column is not, even if it is wholly under water.
 bool water_ground_add_thing(
   const water_footprint* footprint, const water_relief* relief, water_ground* ground);
+
+// A ground of several processes, of which each adds the objects that it has: begin; add objects;
+// add the faces of all surfaces to one relief; water_ground_write. The numbers of all processes are
+// then joined to a ground that was begun with the same plane and bounds, and to a new relief. To
+// that, each process adds the points of its surfaces, and the processes join what is below
+// (water_relief_join_below). water_ground_take_relief ends it. The order of the processes makes no
+// difference. An object that is divided counts as several objects.
+void water_ground_write(
+  const water_ground* ground, const water_relief* relief, double numbers[WATER_GROUND_NUMBERS]);
+void water_ground_join(
+  const double numbers[WATER_GROUND_NUMBERS], water_ground* ground, water_relief* relief);
+void water_ground_take_relief(const water_relief* relief, water_ground* ground);
 
 // Number of samples along two sides of a triangle, in world coordinates, so that no cell that it
 // covers is missed.

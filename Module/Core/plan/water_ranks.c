@@ -2,11 +2,12 @@
 // water_ranks.c: what ranks agree on: joined facts, one scene.
 #include "water_ranks.h"
 
+#include "water_lookup.h"
 #include "water_math.h"
 
 #include <string.h>
 
-_Static_assert(sizeof(water_rank_frame) == 11 * sizeof(double), "it travels as doubles");
+_Static_assert(sizeof(water_rank_frame) == 12 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_rank_view) == 22 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_prop) <= 64, "a prop takes at most 64 bytes");
 _Static_assert(sizeof(water_rank_part) == 5 * sizeof(double), "it travels as doubles");
@@ -61,7 +62,8 @@ water_status water_ranks_join_frames(
   }
   for (size_t i = 0; i < rank_count; ++i)
   {
-    if (frames[i].water_count != frames[0].water_count)
+    if (frames[i].water_count != frames[0].water_count ||
+      frames[i].automatic != frames[0].automatic)
     {
       *bad_rank = i;
       return WATER_RANKS_DIFFERENT_WATERS;
@@ -207,6 +209,30 @@ double water_ranks_digest_number(uint64_t digest)
 bool water_rank_shows_water(int farthest_rank, size_t rank)
 {
   return farthest_rank < 0 || (size_t)farthest_rank == rank;
+}
+
+bool water_rank_region_is_there(const double region[6])
+{
+  return region[0] < region[1] && region[2] < region[3] && region[4] < region[5];
+}
+
+void water_rank_region_sides(const water_plane* plane, const double plane_origin[3],
+  const water_plan* plan, const double region[6], double sides[6][4])
+{
+  water_axes axes;
+  water_lookup_axes(plane, plan->side, plane_origin, &axes);
+  for (int i = 0; i < 6; ++i)
+  {
+    const int k = i / 2;
+    const double foot =
+      axes.origin[k] + plan->origin_xy[0] * axes.x_dir[k] + plan->origin_xy[1] * axes.y_dir[k];
+    const double sign = i % 2 ? -1.0 : 1.0;
+    const bool is_open = isinf(region[i]);
+    sides[i][0] = is_open ? 0.0 : sign * axes.x_dir[k];
+    sides[i][1] = is_open ? 0.0 : sign * axes.y_dir[k];
+    sides[i][2] = is_open ? 0.0 : sign * axes.normal[k];
+    sides[i][3] = is_open ? 1.0 : sign * (foot - region[i]);
+  }
 }
 
 bool water_ranks_take_numbers(double* numbers, size_t count, size_t rank_count)

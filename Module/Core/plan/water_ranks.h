@@ -26,7 +26,7 @@ extern "C"
 // with every change of these.
 enum
 {
-  WATER_RANKS_FORMAT = 8
+  WATER_RANKS_FORMAT = 9
 };
 
 // What a rank sends once a frame, before anything is drawn: doubles only, as they travel.
@@ -38,6 +38,7 @@ typedef struct water_rank_frame
   double scene_bounds[6]; // of the rank's own props in world; min > max: it has none
   double is_gone;         // 1: the water that asked last is deleted; 0: it is not
   double has_error;       // 1: the rank's scene cannot be read, and it says why; 0: it can
+  double automatic;       // water_ranks_digest_number of which waters choose their own extent
 } water_rank_frame;
 
 // What a rank sends for each mirrored view, before that is planned: doubles only.
@@ -147,6 +148,21 @@ double water_ranks_digest_number(uint64_t digest);
 //
 // farthest_rank  of water_ranks_view
 bool water_rank_shows_water(int farthest_rank, size_t rank);
+
+// Is a box a part of the space? Each minimum is below its maximum; both may be infinite.
+bool water_rank_region_is_there(const double region[6]);
+
+// The sides of a rank's part of the space, for a surface of which the rank shows what lies in it:
+// (x, y, height, 1) -> how far a point is inside. x, y: on the plane, from the point under the eye;
+// height: towards the eye. The two sides of an axis come one after the other, as in bounds. A point
+// on a side belongs to the part above: it is inside if the distance to a minimum is >= 0, and that
+// to a maximum > 0. The two ranks of a side compute the same distance, except for its sign.
+//
+// plane   normalised, with the origin of its axes in world
+// plan    of the view, with has_view
+// region  in world; a side that is infinite contains all points
+void water_rank_region_sides(const water_plane* plane, const double plane_origin[3],
+  const water_plan* plan, const double region[6], double sides[6][4]);
 
 // Numbers travel with WATER_RANKS_IS_HERE as the last one of each rank. If a rank is lost, a
 // communicator may report this on its root only. On the other ranks the call then succeeds, but the

@@ -127,3 +127,24 @@ double water_relief_at(const water_relief* relief, int x, int y)
   }
   return height - most;
 }
+
+void water_relief_join_heights(const double* heights, water_relief* relief)
+{
+  for (int i = 0; i < WATER_RELIEF_CORNERS * WATER_RELIEF_CORNERS; ++i)
+  {
+    double* height = &relief->height[i / WATER_RELIEF_CORNERS][i % WATER_RELIEF_CORNERS];
+    *height = fmin(*height, heights[i]);
+  }
+}
+
+void water_relief_join_below(const double* below, water_relief* relief)
+{
+  for (int i = 0; i < WATER_FOOTPRINT_CELLS * WATER_FOOTPRINT_CELLS; ++i)
+  {
+    double* miss = &relief->below[i / WATER_FOOTPRINT_CELLS][i % WATER_FOOTPRINT_CELLS];
+    if (isfinite(below[i]))
+    {
+      *miss = isinf(*miss) ? below[i] : fmax(*miss, below[i]);
+    }
+  }
+}

@@ -41,6 +41,12 @@ void water_relief_add_point(const double point[3], water_relief* relief);
 // heights interpolated between corners. Minus infinity: not known.
 double water_relief_at(const water_relief* relief, int x, int y);
 
+// Joins the reliefs of several parts of surfaces: first the heights that all parts have from their
+// faces; then each part adds its points to the joined heights, and what they add to below is
+// joined.
+void water_relief_join_heights(const double* heights, water_relief* relief);
+void water_relief_join_below(const double* below, water_relief* relief);
+
 #ifdef __cplusplus
 }
 #endif

@@ -5,15 +5,6 @@ uniform sampler2D waterHulls;     // rows of edges
 uniform vec4 waterHullRows;       // x, y of the middle of all, from the point under the eye; half of their sides
 uniform int waterHullAxis;        // rows lie one after another along that: 0, 1
 
-// The place on the plane of a pixel's surface point, from the point under the eye: waves move it
-// from its place at rest, along the view ray.
-vec2 waterOverPlane(WaterPoint point)
-{
-  vec3 seen = waterNdcToPlane * vec3(point.ndc, 1.0);
-  float rise = abs(point.ray.z) > 1e-6 ? point.height / point.ray.z : 0.0;
-  return seen.xy / seen.z + rise * point.ray.xy;
-}
-
 // How often waterlines go round a place: their crossings of a line from there along the row.
 int waterTurnsRound(vec2 place)
 {

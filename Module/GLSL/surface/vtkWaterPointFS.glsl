@@ -2,7 +2,8 @@
 // vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel.
 //
 // The slots, each one file of several: sky (waterSky), floor (waterOverFloor), place (waterPlaceOf,
-// waterTilt), under (waterIsUnder), height (waterHeightOf), pixel (waterPerW, waterChangeAcross), hulls (waterLeaveHulls), waves
+// waterTilt), under (waterIsUnder), height (waterHeightOf), pixel (waterPerW, waterChangeAcross), hulls (waterLeaveHulls),
+// region (waterKeepToRegion), waves
 // (waterRipple), reflection (waterReflected), layer (waterCross), caustics (waterCaustic), body (waterTransmitted), facets
 // (waterFacets), rays (waterMirrored), shadows (waterShadowed), glitter (waterGlint), foam
 // (waterFoamShare, waterFoamLit), sun (waterSunlit), port (waterThroughPort), output (waterShow); vtkWaterSurfaceFS.glsl puts them together. They
@@ -126,6 +127,15 @@ WaterPoint waterPoint()
   waterFrom = vec3(point.place, point.height);
   waterStart(point, clip, height, waterPerW());
   return point;
+}
+
+// The place on the plane of a pixel's surface point, from the point under the eye: waves move it
+// from its place at rest, along the view ray.
+vec2 waterOverPlane(WaterPoint point)
+{
+  vec3 seen = waterNdcToPlane * vec3(point.ndc, 1.0);
+  float rise = abs(point.ray.z) > 1e-6 ? point.height / point.ray.z : 0.0;
+  return seen.xy / seen.z + rise * point.ray.xy;
 }
 
 // What changes of a point from pixel to pixel.

@@ -32,6 +32,7 @@ void waterShade(inout vec4 color)
     rgb = port > 0.0 ? mix(rgb, under, port) : rgb;
     rgb = waterSeenFrom(point, rgb);
     waterLeaveHulls(point);
+    waterKeepToRegion(point);
   }
   color = vec4(rgb, waterOpacityOf(color) * waterOpacity);
   waterShow(reason, uv, reflectance, color);

@@ -107,6 +107,8 @@ private:
   // anything is drawn. Waters are told how far the scene of all ranks reaches.
   bool Agree(vtkWaterReflection& reflection);
   bool Ask(vtkWaterError& error);
+  // What the ranks know of the ground, for waters that choose their extent by it.
+  bool JoinGrounds(const std::vector<vtkWaterSource*>& waters, vtkWaterError& error);
   bool HasRanks() const; // are there others to be asked in a frame without water?
   // Says so to the other ranks when this one shows none, which they may not know.
   void SayNoWater();

@@ -12,9 +12,13 @@
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterSheet.h"
 #include "vtkWaterSource.h"
+#include "water_ground.h"
+#include "water_ranks.h"
 
 #include <algorithm>
 #include <exception>
+#include <functional>
+#include <iterator>
 #include <string>
 
 //------------------------------------------------------------------------------
@@ -39,6 +43,79 @@ std::vector<vtkWaterSource*> vtkWaterFrame::FindWatersOfRanks() const
   return waters;
 }
 
+namespace
+{
+vtkWaterError ErrorOf(const std::exception& thrown)
+{
+  vtkWaterError error;
+  error.Kind = std::string("reading the scene was ended by an exception (") + thrown.what() + ")";
+  error.Text = error.Kind + ". The water shows its plain colour.";
+  return error;
+}
+
+// Which waters choose their extent, as a number that ranks compare.
+double DigestOfAutomatic(const std::vector<vtkWaterSource*>& waters)
+{
+  std::vector<double> numbers;
+  for (vtkWaterSource* water : waters)
+  {
+    numbers.push_back(water->HasAutomaticExtent() ? 1.0 : 0.0);
+  }
+  return water_ranks_digest_number(
+    water_ranks_digest(WATER_RANKS_DIGEST_BEGIN, numbers.data(), numbers.size()));
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterFrame::JoinGrounds(const std::vector<vtkWaterSource*>& waters, vtkWaterError& error)
+{
+  std::vector<vtkWaterSource*> choosing;
+  std::copy_if(waters.begin(), waters.end(), std::back_inserter(choosing),
+    [](vtkWaterSource* water) { return water->HasAutomaticExtent(); });
+  if (choosing.empty())
+  {
+    return true;
+  }
+  std::vector<int> areJoined;
+  for (vtkWaterSource* water : choosing)
+  {
+    areJoined.push_back(water->IsGroundJoined() ? 1 : 0);
+  }
+  this->RanksAsked.HoldOnAll(areJoined);
+  for (size_t i = 0; i < choosing.size(); ++i)
+  {
+    if (areJoined[i])
+    {
+      continue;
+    }
+    // a rank that cannot read its part says so: the others wait for it
+    std::vector<double> all;
+    vtkWaterSource& water = *choosing[i];
+    const auto join = [&](size_t count, const std::function<std::vector<double>()>& read) {
+      std::vector<double> part(count);
+      vtkWaterError own;
+      try
+      {
+        part = read();
+      }
+      catch (const std::exception& thrown)
+      {
+        own = ErrorOf(thrown);
+      }
+      const bool isJoined = this->RanksAsked.JoinGrounds(part, !own.Text.empty(), all, error);
+      error = isJoined || own.Text.empty() ? error : own;
+      return isJoined;
+    };
+    if (!join(WATER_GROUND_NUMBERS, [&]() { return water.ReadGroundPart(); }) ||
+      !join(WATER_GROUND_BELOW_NUMBERS, [&]() { return water.JoinGround(all); }))
+    {
+      return false;
+    }
+    water.JoinGroundBelow(all);
+  }
+  return true;
+}
+
 //------------------------------------------------------------------------------
 bool vtkWaterFrame::Ask(vtkWaterError& error)
 {
@@ -46,6 +123,7 @@ bool vtkWaterFrame::Ask(vtkWaterError& error)
   water_rank_frame mine = water_rank_frame();
   mine.water_count = static_cast<double>(waters.size());
   mine.is_gone = this->Asking.expired() ? 1.0 : 0.0;
+  mine.automatic = DigestOfAutomatic(waters);
   vtkWaterError own;
   try
   {
@@ -54,8 +132,7 @@ bool vtkWaterFrame::Ask(vtkWaterError& error)
   catch (const std::exception& thrown) // the others wait for this rank
   {
     mine.has_error = 1.0;
-    own.Kind = std::string("reading the scene was ended by an exception (") + thrown.what() + ")";
-    own.Text = own.Kind + ". The water shows its plain colour.";
+    own = ErrorOf(thrown);
   }
   double bounds[6];
   bool areGone = false;
@@ -69,7 +146,7 @@ bool vtkWaterFrame::Ask(vtkWaterError& error)
   {
     water->SetSceneBounds(bounds);
   }
-  return isAgreed;
+  return isAgreed && this->JoinGrounds(waters, error);
 }
 
 //------------------------------------------------------------------------------

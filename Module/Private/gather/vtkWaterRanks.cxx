@@ -172,6 +172,33 @@ bool vtkWaterRanks::JoinFrames(
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterRanks::JoinGrounds(
+  const std::vector<double>& mine, bool hasError, std::vector<double>& all, vtkWaterError& error)
+{
+  std::vector<double> sent(mine);
+  sent.push_back(hasError ? 1.0 : 0.0);
+  std::vector<double> got;
+  if (!this->GatherNumbers("the ground below the water", sent.data(), sent.size(), got))
+  {
+    error = Unreachable();
+    return false;
+  }
+  all.clear();
+  const auto size = static_cast<std::ptrdiff_t>(sent.size());
+  for (auto first = got.begin(); first != got.end(); first += size)
+  {
+    if (*(first + size - 1) != 0.0)
+    {
+      error =
+        this->Describe(WATER_RANKS_BAD_WATER, static_cast<size_t>((first - got.begin()) / size));
+      return false;
+    }
+    all.insert(all.end(), first, first + size - 1);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterRanks::JoinViews(const water_rank_view& mine, water_scene& scene,
   std::vector<water_prop>& props, water_ranks_view& joined, vtkWaterError& error)
 {

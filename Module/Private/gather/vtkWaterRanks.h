@@ -12,6 +12,7 @@
 #include "water_rank_pixels.h"
 #include "water_ranks.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -53,6 +54,14 @@ public:
         this->AgreedFarthest, static_cast<size_t>(this->Controller->GetLocalProcessId()));
   }
 
+  // Are pictures blended in an order, by what was agreed last?
+  bool AreBlended() const { return this->AreSeveral() && this->AgreedFarthest >= 0; }
+
+  // This rank's part of the space, in which it shows translucent water; empty: all of the space.
+  void SetRegion(const double region[6]) { std::copy_n(region, 6, this->Region); }
+  const double* GetRegion() const { return this->Region; }
+  bool HasRegion() const { return this->AreSeveral() && water_rank_region_is_there(this->Region); }
+
   // Are there others? A controller of one process is as good as none.
   bool AreSeveral() const { return this->GetProcessCount() > 1; }
 
@@ -80,6 +89,14 @@ public:
   // bounds   of the scenes of all ranks; min > max: there are none
   // areGone  set: water_ranks_are_gone
   bool JoinFrames(water_rank_frame mine, double bounds[6], bool* areGone, vtkWaterError& error);
+
+  // What all ranks know of the ground, one rank after the other. false: they cannot be reached, or
+  // one of them has an error.
+  //
+  // mine      as many numbers on all ranks
+  // hasError  this rank's numbers mean nothing
+  bool JoinGrounds(
+    const std::vector<double>& mine, bool hasError, std::vector<double>& all, vtkWaterError& error);
 
   // What they know of a mirrored view, likewise; scene becomes the one that all of them plan.
   //
@@ -136,6 +153,7 @@ private:
   double WaitLimit = 0.0;
   int Farthest = -1;
   int AgreedFarthest = -1;
+  double Region[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   vtkMTimeType Stamp = 0;
 };
 

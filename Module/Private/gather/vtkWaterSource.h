@@ -7,6 +7,7 @@
 #include "vtkWaterSnapshot.h"
 
 #include <string>
+#include <vector>
 
 class vtkMapper;
 class vtkProp;
@@ -48,6 +49,16 @@ public:
   //
   // bounds  min > max: there is nothing; nullptr: there are no other ranks
   virtual void SetSceneBounds(const double* bounds) = 0;
+
+  // Does the ground decide how far it extends? Ranks then join what they know of the ground, once
+  // the bounds of their scenes are joined. Errors end in exceptions of the standard library.
+  virtual bool HasAutomaticExtent() = 0;
+  virtual bool IsGroundJoined() = 0; // does the last join still hold?
+  // This rank's part, for all ranks; with the parts of all ranks, what is below; with that of all,
+  // the ground.
+  virtual std::vector<double> ReadGroundPart() = 0;
+  virtual std::vector<double> JoinGround(const std::vector<double>& parts) = 0;
+  virtual void JoinGroundBelow(const std::vector<double>& parts) = 0;
 
   // May it have a mirrored view? Those who share the views of a frame among waters say so; whether
   // it is to have one at all, the user says.

@@ -58,6 +58,23 @@ void ForEachProp(const std::vector<vtkRenderer*>& scene, const std::function<voi
   }
 }
 
+// What is known of the ground holds for scenes of the same key. The water's level is not part of
+// it.
+std::vector<double> KeyOf(
+  const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene)
+{
+  std::vector<double> key;
+  water_plane unit;
+  if (water_plane_normalise(&plane, &unit) == WATER_OK)
+  {
+    key.assign(unit.normal, unit.normal + 3);
+    key.insert(key.end(), bounds, bounds + 6);
+    ForEachProp(
+      scene, [&key](vtkProp* prop) { key.push_back(static_cast<double>(prop->GetRedrawMTime())); });
+  }
+  return key;
+}
+
 using SeePoint = std::function<void(const double point[3])>;
 
 // Places on the faces of a data set, so many that one lies in each cell that a face covers.
@@ -123,30 +140,104 @@ void ForEachPoint(
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterGround::Read(
+  const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene)
+{
+  if (water_ground_begin(&plane, bounds, &this->Ground) == WATER_OK)
+  {
+    ForEachProp(scene, [this](vtkProp* prop) { this->Add(prop); });
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterGround::IsUnder(
   const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene)
+{
+  const std::vector<double> key = KeyOf(plane, bounds, scene);
+  if (key != this->Key || this->IsOfRanks)
+  {
+    this->Key = key;
+    this->IsOfRanks = false;
+    this->IsNew = true;
+    this->Read(plane, bounds, scene);
+  }
+  return this->Judge(plane);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterGround::IsUnderOfRanks(const water_plane& plane)
+{
+  return this->IsOfRanks && this->Judge(plane);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterGround::IsJoined(
+  const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene) const
+{
+  return this->IsOfRanks && KeyOf(plane, bounds, scene) == this->Key;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkWaterGround::ReadPart(
+  const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene)
+{
+  this->IsOfRanks = false; // until it is joined
+  this->IsReadingPart = true;
+  this->Surfaces.clear();
+  water_relief_begin(&this->Relief);
+  this->Read(plane, bounds, scene);
+  this->IsReadingPart = false;
+  this->Key = KeyOf(plane, bounds, scene);
+  std::vector<double> numbers(WATER_GROUND_NUMBERS);
+  water_ground_write(&this->Ground, &this->Relief, numbers.data());
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkWaterGround::Join(
+  const water_plane& plane, const double bounds[6], const std::vector<double>& parts)
+{
+  water_relief_begin(&this->Relief);
+  if (water_ground_begin(&plane, bounds, &this->Ground) == WATER_OK)
+  {
+    for (size_t i = 0; i + WATER_GROUND_NUMBERS <= parts.size(); i += WATER_GROUND_NUMBERS)
+    {
+      water_ground_join(parts.data() + i, &this->Ground, &this->Relief);
+    }
+    for (const Surface& surface : this->Surfaces)
+    {
+      this->SeePoints(surface.Data, surface.Matrix);
+    }
+  }
+  this->Surfaces.clear();
+  const double* below = this->Relief.below[0];
+  return std::vector<double>(below, below + WATER_GROUND_BELOW_NUMBERS);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGround::JoinBelow(const std::vector<double>& parts)
+{
+  for (size_t i = 0; i + WATER_GROUND_BELOW_NUMBERS <= parts.size();
+       i += WATER_GROUND_BELOW_NUMBERS)
+  {
+    water_relief_join_below(parts.data() + i, &this->Relief);
+  }
+  water_ground_take_relief(&this->Relief, &this->Ground);
+  this->IsOfRanks = true;
+  this->IsNew = true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterGround::Judge(const water_plane& plane)
 {
   water_plane unit;
   if (water_plane_normalise(&plane, &unit) != WATER_OK)
   {
     return false;
   }
-  // not the level: what is known of the ground holds for all
-  std::vector<double> key(unit.normal, unit.normal + 3);
-  key.insert(key.end(), bounds, bounds + 6);
-  ForEachProp(
-    scene, [&key](vtkProp* prop) { key.push_back(static_cast<double>(prop->GetRedrawMTime())); });
-  const bool isNew = key != this->Key;
-  if (isNew)
+  if (this->IsNew || this->Level != -unit.offset)
   {
-    this->Key = std::move(key);
-    if (water_ground_begin(&plane, bounds, &this->Ground) == WATER_OK)
-    {
-      ForEachProp(scene, [this](vtkProp* prop) { this->Add(prop); });
-    }
-  }
-  if (isNew || this->Level != -unit.offset)
-  {
+    this->IsNew = false;
     this->Level = -unit.offset;
     this->FindWet();
     this->IsFlat = water_ground_is_flat(&this->Ground, this->Level);
@@ -240,18 +331,30 @@ bool vtkWaterGround::AddData(vtkDataSet* data, vtkMatrix4x4* matrix)
   }
   const bool isSurface =
     water_footprint_shape_of(&this->Footprint) == WATER_FOOTPRINT_SURFACE && count > 0;
-  if (isSurface)
+  if (isSurface && this->IsReadingPart)
   {
-    this->SeeRelief(data, matrix);
+    vtkNew<vtkMatrix4x4> copy;
+    if (matrix)
+    {
+      copy->DeepCopy(matrix);
+    }
+    this->Surfaces.push_back({ data, copy });
+    this->SeeFaces(data, matrix);
   }
+  else if (isSurface)
+  {
+    water_relief_begin(&this->Relief);
+    this->SeeFaces(data, matrix);
+    this->SeePoints(data, matrix);
+  }
+  const bool hasRelief = isSurface && !this->IsReadingPart; // else it is known once it is joined
   return water_ground_add_thing(
-    &this->Footprint, isSurface ? &this->Relief : nullptr, &this->Ground);
+    &this->Footprint, hasRelief ? &this->Relief : nullptr, &this->Ground);
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterGround::SeeRelief(vtkDataSet* data, vtkMatrix4x4* matrix)
+void vtkWaterGround::SeeFaces(vtkDataSet* data, vtkMatrix4x4* matrix)
 {
-  water_relief_begin(&this->Relief);
   vtkNew<vtkIdList> ids;
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
@@ -277,6 +380,11 @@ void vtkWaterGround::SeeRelief(vtkDataSet* data, vtkMatrix4x4* matrix)
       water_ground_see_face(&this->Ground, face, &this->Relief);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGround::SeePoints(vtkDataSet* data, vtkMatrix4x4* matrix)
+{
   const auto see = [this](const double point[3]) {
     water_ground_see_relief(&this->Ground, point, &this->Relief);
   };

@@ -56,6 +56,11 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   void Report(vtkRenderer* renderer, const vtkWaterError& error) override;
   bool HasSheetError() const override;
   void SetSceneBounds(const double* bounds) override;
+  bool HasAutomaticExtent() override;
+  bool IsGroundJoined() override;
+  std::vector<double> ReadGroundPart() override;
+  std::vector<double> JoinGround(const std::vector<double>& parts) override;
+  void JoinGroundBelow(const std::vector<double>& parts) override;
   void SetMayMirror(bool mayMirror) override;
   void SetDrawnMapper(vtkMapper* mapper) override;
   void SetIsDrawing(bool isDrawing) override;

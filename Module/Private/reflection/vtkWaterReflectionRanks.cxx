@@ -75,7 +75,8 @@ void AddLook(const vtkWaterLook& look, Numbers& numbers)
 }
 
 // All that must be the same on all ranks, lest they draw different waters or part company.
-double DigestOf(const std::vector<vtkWaterSnapshotPointer>& waters, const water_scene& scene)
+double DigestOf(
+  const std::vector<vtkWaterSnapshotPointer>& waters, const water_scene& scene, bool hasRegion)
 {
   uint64_t digest = WATER_RANKS_DIGEST_BEGIN;
   for (const vtkWaterSnapshotPointer& water : waters)
@@ -89,6 +90,8 @@ double DigestOf(const std::vector<vtkWaterSnapshotPointer>& waters, const water_
     digest = water_ranks_digest_waves(digest, water->Waves.data(), water->Waves.size());
   }
   digest = water_ranks_digest_settings(digest, &scene.settings);
+  const double divided = hasRegion ? 1.0 : 0.0;
+  digest = water_ranks_digest(digest, &divided, 1);
   return water_ranks_digest_number(digest);
 }
 }
@@ -99,7 +102,7 @@ bool vtkWaterReflection::JoinScene(const std::vector<vtkWaterSource*>& waters, A
   water_scene& scene = this->Gathered.Scene;
   water_rank_view mine = water_rank_view();
   mine.sheet_count = static_cast<double>(attempt.Waters.size());
-  mine.digest = DigestOf(attempt.Waters, scene);
+  mine.digest = DigestOf(attempt.Waters, scene, this->Ranks.HasRegion());
   mine.prop_count = static_cast<double>(scene.prop_count);
   mine.max_texture_px = scene.max_texture_px;
   mine.max_samples = scene.max_samples;

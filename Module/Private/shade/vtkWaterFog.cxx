@@ -54,11 +54,27 @@ struct ScopedFirstBuffer
   bool HasMore;
 };
 
+// Draws depths alone: the farthest before the background's, where the background is.
+void DrawFarDepth(vtkOpenGLState* state, vtkWaterQuad& quad)
+{
+  constexpr double kFarthest = 1.0 - 1.0 / 16777216.0; // of buffers with 24 bits, and of floats
+  GLdouble range[2];
+  glGetDoublev(GL_DEPTH_RANGE, range);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LESS);
+  glDepthRange(kFarthest, kFarthest);
+  quad.Draw();
+  glDepthRange(range[0], range[1]);
+}
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterFog::Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBackdrop& backdrop,
-  const double deepColor[3], const double extinction[3], bool hasShafts,
+  const double deepColor[3], const double extinction[3], bool hasShafts, Cover cover,
   const std::function<void(vtkShaderProgram*)>& setLight)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -73,9 +89,15 @@ void vtkWaterFog::Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBa
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkOpenGLState::ScopedglDepthMask depthMask(state);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
+  if (cover == PROPS)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_DST_ALPHA, GL_ZERO, GL_ZERO, GL_ONE);
+  }
   state->vtkglDepthMask(GL_FALSE);
   vtkWaterUniforms::Set(program, "waterSceneColor", backdrop.GetColor());
   vtkWaterUniforms::Set(program, "waterSceneDepth", backdrop.GetDepth());
@@ -89,9 +111,13 @@ void vtkWaterFog::Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBa
   setLight(program);
   {
     vtkOpenGLState::ScopedglColorMask colorMask(state);
-    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, cover == ALL_AND_OPAQUE ? GL_TRUE : GL_FALSE);
     const ScopedFirstBuffer first;
     quad.Draw();
+  }
+  if (cover == ALL_WITH_DEPTH)
+  {
+    DrawFarDepth(state, quad);
   }
 }
 

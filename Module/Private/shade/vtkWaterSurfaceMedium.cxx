@@ -111,8 +111,14 @@ void vtkWaterSurfaceShader::DrawFog()
       this->SetShaftParameters(program);
     }
   };
+  vtkWaterFog::Cover cover = vtkWaterFog::ALL;
+  if (const vtkWaterRanks* ranks = this->Drawn.Ranks)
+  {
+    cover = ranks->ShowsWater() ? vtkWaterFog::ALL_AND_OPAQUE : vtkWaterFog::PROPS;
+    cover = ranks->AreBlended() ? cover : vtkWaterFog::ALL_WITH_DEPTH;
+  }
   this->Drawn.Fog->Draw(this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, extinction,
-    this->HasShafts, setLight);
+    this->HasShafts, cover, setLight);
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include "vtkTextureUnitManager.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterMeshTraits.h"
+#include "vtkWaterRanks.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
@@ -23,6 +24,7 @@
 #include "water_optics.h"
 #include "water_plan.h"
 #include "water_plane.h"
+#include "water_ranks.h"
 #include "water_sky.h"
 #include "water_slopes.h"
 #include "water_waves.h"
@@ -174,6 +176,15 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
       rows.middle[1] - plan.origin_xy[1], rows.half[0], rows.half[1] };
     uniforms::Set4(program, "waterHullRows", hulls);
     uniforms::Set(program, "waterHullAxis", rows.axis);
+  }
+  if (this->Has(WATER_FEATURE_RANK_REGION) && this->Drawn.Ranks)
+  {
+    water_plane plane;
+    double sides[6][4];
+    water_plane_normalise(&this->Water->Plane, &plane);
+    water_rank_region_sides(
+      &plane, this->Water->Origin, &plan, this->Drawn.Ranks->GetRegion(), sides);
+    uniforms::Set4s(program, "waterRankSides", 6, sides);
   }
   uniforms::Set(program, "waterBedDepth", std::min(plan.bed_depth, kFarUp));
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);

@@ -2,6 +2,7 @@
 #include "vtkPVWaterRepresentation.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -26,6 +27,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace
 {
@@ -260,7 +262,6 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view, vtkInformati
   {
     this->Take(inInfo, ranks);
   }
-  this->WarnOfExtent(ranks);
   // translucent data and volumes: the servers' pictures are blended in their order
   auto* delivery = vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
   this->AreServersInOrder =
@@ -269,6 +270,7 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view, vtkInformati
   {
     this->ServersInOrder->SetBoundingBoxes(delivery->GetCuts());
   }
+  this->FindRegion(ranks ? ranks->GetLocalProcessId() : -1);
   vtkWaterReflectionPass* pass = this->Actor->GetReflectionPass();
   pass->SetController(ranks);
   // IceT's pass blanks it while it draws
@@ -279,19 +281,32 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view, vtkInformati
 }
 
 //------------------------------------------------------------------------------
-void vtkPVWaterRepresentation::WarnOfExtent(vtkMultiProcessController* ranks)
+void vtkPVWaterRepresentation::FindRegion(int rank)
 {
-  const bool isUnsure =
-    ranks && ranks->GetNumberOfProcesses() > 1 && this->Actor->GetSheetIsAutomatic();
-  if (isUnsure && !this->WasUnsure && ranks->GetLocalProcessId() == 0)
+  const std::vector<vtkBoundingBox>& boxes = this->ServersInOrder->GetBoundingBoxes();
+  vtkWaterReflectionPass* pass = this->Actor->GetReflectionPass();
+  if (!this->AreServersInOrder || rank < 0 || static_cast<size_t>(rank) >= boxes.size() ||
+    !boxes[static_cast<size_t>(rank)].IsValid())
   {
-    vtkWarningMacro("Extent is Automatic, and "
-      << ranks->GetNumberOfProcesses()
-      << " ranks render the picture. Each looks for ground under the water in its own part of the "
-         "data, so the water may reach to the horizon where one process ends it at the shore. "
-         "Choose the Extent Scene, Horizon or Bounds.");
+    pass->ResetRankRegion();
+    return;
   }
-  this->WasUnsure = this->WasUnsure || isUnsure;
+  vtkBoundingBox all;
+  for (const vtkBoundingBox& box : boxes)
+  {
+    all.AddBox(box);
+  }
+  double region[6];
+  double outer[6];
+  boxes[static_cast<size_t>(rank)].GetBounds(region);
+  all.GetBounds(outer);
+  // the water may be wider than the data
+  const double endless = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 6; ++i)
+  {
+    region[i] = region[i] == outer[i] ? (i % 2 ? endless : -endless) : region[i];
+  }
+  pass->SetRankRegion(region);
 }
 
 //------------------------------------------------------------------------------

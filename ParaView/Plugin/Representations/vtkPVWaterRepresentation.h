@@ -218,7 +218,7 @@ private:
   void ApplyOptics(vtkWaterProperty* look);
   void PrepareRender(vtkPVRenderView* view, vtkInformation* inInfo);
   void FindFarthest(vtkRenderer* renderer);
-  void WarnOfExtent(vtkMultiProcessController* ranks);
+  void FindRegion(int rank); // of the space; -1: there is none
 
   vtkWeakPointer<vtkPVSession> Session; // the one that this object was made for
   vtkNew<vtkWaterActor> Actor;
@@ -226,7 +226,6 @@ private:
   vtkNew<vtkCallbackCommand> Starts;                  // of the view's renderer
   vtkNew<vtkOrderedCompositingHelper> ServersInOrder; // by their parts of the space
   bool AreServersInOrder = false;                     // in this frame
-  bool WasUnsure = false;                             // of the extent; it is said once
   Look Settings;
   bool IsLookNew = true;
 };
