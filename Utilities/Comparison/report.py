@@ -110,7 +110,7 @@ class Report:
         frame = string.Template((pathlib.Path(__file__).parent / "comparison.md.in").read_text())
         text = frame.substitute(
             ratios=self._ratio_table(), programs=self._program_table(),
-            left_out="\n".join(left_out) or "Nothing: every peer ran.",
+            left_out="\n".join(left_out) or "None: every peer ran.",
             triangles=f"{len(self._scene.triangles):,}",
             frames=min((len(times) for times in self._times.values()), default=0), **self._machine)
         path = folder / "comparison.md"

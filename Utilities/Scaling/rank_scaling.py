@@ -140,7 +140,7 @@ def main():
         report.check_at_most(f"{NAMES[network]}, {CHECKED[0]} ranks, {CHECKED[1]} props: difference of model and simulation, %",
                              100 * abs(found / expected - 1), 15, 1)
     for row in strong[1:]:
-        report.check_at_most(f"{row['ranks']} ranks: bytes of the frame / of a composited picture of the same part",
+        report.check_at_most(f"{row['ranks']} ranks: bytes of the frame / bytes of a picture (as above)",
                              row["bytes"] / (8 * row["pixels"] * (row["ranks"] - 1)), 1.1)
     report.check_at_most("16 ranks: work of the busiest rank / of one rank alone",
                          strong[-1]["work"] / strong[0]["work"], 0.25)

@@ -21,13 +21,13 @@
   X(CLIP_HEIGHT, "height over the clip in mirrored view space", "reach / height", "per reach")     \
   X(CLIP_SIDE, "height over the clip in clip space", "bound / height", "per bound")                \
   X(EYE_SIDE, "side of the eye", "reach / height", "wrong sides")                                  \
-  X(IN_RECT, "a seen point's texel within the texture's drawn part", "reach / depth", "lost")      \
+  X(IN_RECT, "a visible point's texel in the texture's drawn part", "reach / depth", "lost")       \
   X(CULLING, "a prop that the water shows is drawn", "reach / depth", "lost")                      \
-  X(FAR_PLANE, "a drawn prop's corner before the far plane", "far / near", "beyond, per depth")    \
+  X(FAR_PLANE, "a drawn prop's corner within the far plane", "far / near", "beyond, per depth")    \
   X(FRESNEL, "reflectance", "1 / distance from the critical cosine", "absolute")                   \
   X(FRESNEL_ORDER, "reflectance falls with the cosine", "1 / step of the cosine", "rise")          \
   X(SAME_PLAN, "equal plans for equal scenes", "none", "bytes")                                    \
-  X(ACCEPTED, "a good scene is planned", "far / near", "rejected")
+  X(ACCEPTED, "a valid scene is accepted", "far / near", "rejected")
 
 typedef enum stress_property
 {
