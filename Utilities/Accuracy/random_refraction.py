@@ -213,11 +213,12 @@ def _summary(rows):
         cells.append((reason, f"{100 * pixels / water:.2f} %", str(sum(row[f"strange {reason}"] for row in rows)),
                       f"{(error / max(pixels, 1)) ** 0.5:.2f}", str(sum(row[f"strange {reason}"] > 0 for row in rows))))
     text = table(("the correct colour is", "share of the pixels", "strange pixels", "RMSE of 255", "scenes with strange"), cells)
-    return text + (f"\n\nall: {sum(row['strange'] for row in rows)} strange of {water} "
-                   f"(one ray: {sum(row['strange perfect'] for row in rows)}), scenes with RMSE <= {MOST_RMSE:g}: "
-                   f"{sum(row['RMSE'] <= MOST_RMSE for row in rows)} (one ray "
-                   f"{sum(row['RMSE perfect'] <= MOST_RMSE for row in rows)}) of {len(rows)}, without strange pixels: "
-                   f"{sum(row['strange'] == 0 for row in rows)}")
+    return text + (f"\n\nTogether, {sum(row['strange'] for row in rows)} of {water} pixels are strange "
+                   f"({sum(row['strange perfect'] for row in rows)} with one perfect ray per pixel). "
+                   f"The RMSE is at most {MOST_RMSE:g}\n"
+                   f"in {sum(row['RMSE'] <= MOST_RMSE for row in rows)} of {len(rows)} scenes ("
+                   f"{sum(row['RMSE perfect'] <= MOST_RMSE for row in rows)} with one perfect ray). "
+                   f"{sum(row['strange'] == 0 for row in rows)} scenes have no strange pixels.")
 
 
 if __name__ == "__main__":

@@ -225,7 +225,7 @@ def _shares(results):
 def run(results):
     tables = [
         _compare(results, f"{COUNT:,} props {where}", make)
-        for where, make in (("under the plane", _under), ("beside the water's pyramid", _beside))
+        for where, make in (("under the plane", _under), ("outside the mirrored view", _beside))
     ]
     results.add(
         "Props that the water cannot show",
