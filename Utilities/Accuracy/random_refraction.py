@@ -35,7 +35,7 @@ SEEDS = range(50)  # of the report
 SAMPLES = 16  # rays a pixel
 MOST_RMSE = 4.0  # of 255
 SHOWN = 3  # scenes in the report
-SEEN = "what the picture has of refracted rays"
+SEEN = "refracted rays whose correct colour is in the picture"
 MOST_STRANGE = 0.2  # % of the pixels for which the picture has what is right
 TEXT = """
 $count scenes of clear water over a bed, with objects standing in it, lying under it, floating, or hanging over it,
