@@ -321,7 +321,7 @@ public:
    * Height and normal of the waves at a point, at the actor's time, for example for buoys and
    * picks. x, y and the normal's first two components are in the plane's own axes (SetSheetBounds);
    * its third component is along the plane's normal. The height is above the plane, in the scene's
-   * unit. A wind sea is included, bilinear between the points of its tile. Without waves the
+   * unit. A wind sea is included, bilinear between the points of its tiles. Without waves the
    * results are 0 and (0, 0, 1). They are NaN if the point is not finite.
    */
   double GetWaveHeight(double x, double y);
@@ -379,8 +379,9 @@ public:
   ///@}
 
   /**
-   * The value of SetPickable. Returns 0 while the sheet reaches to the horizon, except during a
-   * selection of pixels: it has no bounds otherwise.
+   * The value of SetPickable; 0 while the sheet reaches to the horizon, because pickers need
+   * bounds, which it does not have. During a selection of pixels, which needs none, the value of
+   * SetPickable again.
    */
   vtkTypeBool GetPickable() override;
 

@@ -151,7 +151,7 @@ public:
   ///@}
 
   /**
-   * Whether the shore is cut while it is drawn, since the last Update.
+   * Whether the shore is cut while it is drawn, as the last Update decided.
    */
   bool GetIsShoreCutWhileDrawn() const;
 

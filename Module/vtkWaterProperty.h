@@ -208,9 +208,9 @@ public:
    * Colour of infinitely deep water: it is visible where the water does not reflect and, with
    * Refraction, where the water is deep. Red, green, blue, each in [0, 1]. Setting it sets
    * DeepColorMode to GIVEN. In the mode MEDIUM, the default, GetDeepColor returns the colour under
-   * white daylight, and a colour of the actor's vtkProperty overrides it. For an eye under water
-   * the haze is derived from it by depth, direction and sun; a colour that is set is the haze
-   * everywhere.
+   * white daylight, and a colour of the actor's vtkProperty overrides it. For an eye under water,
+   * the haze is derived from it, and depends on depth, direction and the sun; a colour that was set
+   * is the haze everywhere.
    */
   void SetDeepColor(double red, double green, double blue);
   void SetDeepColor(const double rgb[3]) { this->SetDeepColor(rgb[0], rgb[1], rgb[2]); }
@@ -326,9 +326,9 @@ public:
   ///@{
   /**
    * Whether glitter brighter than white rolls off towards white (HighlightRollOff), so that it
-   * keeps its shape and the sun's colour. Glitter that fills at most 0.6 of the range left up to
-   * white does not change. The roll-off is always off if a pass of the renderer may map tones.
-   * Default is on.
+   * keeps its shape and the sun's colour. Glitter that takes up at most 0.6 of the range that is
+   * left below white does not change. The roll-off is always off if a pass of the renderer may
+   * apply tone mapping. Default is on.
    */
   void SetHighlightRollOff(bool rolls);
   vtkGetMacro(HighlightRollOff, bool);
@@ -488,7 +488,7 @@ public:
   ///@}
 
   /**
-   * Root mean square slope of all waves, including the waves of the sea that its tile holds.
+   * Root mean square slope of all waves, including the waves of the sea that its tiles hold.
    */
   double GetSlopeRMS() const;
 

@@ -91,7 +91,7 @@ public:
     STATIC_ENVIRONMENT,
     REUSED, ///< nothing has changed since the last mirrored view
     FACING_AWAY,
-    HIDDEN, ///< behind the scene
+    HIDDEN, ///< other objects hide the water
     FAINT,  ///< see SetReflectanceError
     SHARED, ///< a sheet of the same plane has the mirrored view; see its pass
     NUMBER_OF_DECISIONS
@@ -104,7 +104,7 @@ public:
   {
     SKIP_NONE = 0,
     UNSEEN_WATER = 1 << 0,    ///< the mirrored view of water that is out of view or faces away
-    HIDDEN_WATER = 1 << 1,    ///< the mirrored view of water behind the scene
+    HIDDEN_WATER = 1 << 1,    ///< the mirrored view of water that other objects hide
     FAINT_WATER = 1 << 2,     ///< the mirrored view of water that reflects almost nothing
     UNCHANGED_VIEWS = 1 << 3, ///< a mirrored view equal to the previous one
     SHARED_VIEWS = 1 << 4,    ///< a mirrored view that another sheet of the same plane has
@@ -263,9 +263,9 @@ public:
 
   ///@{
   /**
-   * The same for the additional view of what lies below clear water
-   * (vtkWaterProperty::SetRefractionSourceToOwnView): the number of views rendered since the pass
-   * was made, the decision for the last frame (Decisions), and its text.
+   * The additional view of what lies below clear water
+   * (vtkWaterProperty::SetRefractionSourceToOwnView): the number of these views rendered since the
+   * pass was made, the decision for the last frame (Decisions), and its text.
    */
   vtkIdType GetNumberOfOwnViewRenders() const;
   int GetOwnViewDecision() const;
@@ -453,8 +453,8 @@ public:
   /**
    * Milliseconds of the last measurement with Instrumentation on. Gathering the scene and planning
    * are measured on the CPU. Drawing the mirrored view (with its secondary views) and the surface
-   * is measured on the GPU, for the last one that it has finished. The surface's time includes the
-   * copy of what is visible through it. NaN: unknown.
+   * is measured on the GPU, for the last drawing that it has finished. The surface's time includes
+   * the copy of what is visible through it. NaN: unknown.
    */
   double GetLastGatherTime() const;
   double GetLastPlanTime() const;

@@ -138,8 +138,8 @@ public:
 
   /**
    * Number of cells that the last update cut at the shore (NumberOfCutCells). A vtkWaterLakes that
-   * cuts the shore while drawing does not update this filter. Whoever uses the filter's output
-   * updates it.
+   * cuts the shore while drawing does not update this filter; it is updated when its output is
+   * requested.
    */
   vtkGetMacro(NumberOfCutCells, vtkIdType);
 

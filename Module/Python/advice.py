@@ -57,7 +57,7 @@ def tell_level(level, heights, is_sheet):
 
 
 def tell_distance(surface, renderer):
-    """Warn of a gap between a surface and the props other than water that is larger than the sum of their diagonals.
+    """Warn if a surface and the props other than water are farther apart than the sum of their diagonals.
 
     surface  its bounds in the renderer's own coordinates
     """

@@ -212,8 +212,8 @@ def add_scene_arguments(parser):
                       help="azimuth of the sun, from north towards east; default: to the right of the eye")
     view.add_argument("--sky", type=number(2.0, 10.0), nargs="?", const=TURBIDITY, metavar="TURBIDITY",
                       help="show a clear sky instead of the gradient, with this turbidity: 2 (very clear) to 10 "
-                           "(hazy), 2 without a number; it is seen above the horizon and in reflections, and a view "
-                           "from above has the haze below the horizon as its background")
+                           "(hazy), 2 without a number; it is seen above the horizon and in reflections; in a view "
+                           "from above, the background is the haze below the horizon")
     view.add_argument("--size", type=size, default=(960, 600), metavar="WxH", help="pixels; default 960x600")
     ground = parser.add_argument_group("the ground")
     ground.add_argument("--exaggeration", type=number(1e-6, 1e6), default=1.0, metavar="X",
@@ -240,8 +240,8 @@ def make_parser():
                         help=f"output picture: {', '.join(pictures.KINDS)}; default %(default)s")
     add_json(render)
     render.add_argument("--time", type=number(-1e15, 1e15), metavar="S",
-                        help="time of the waves in s, default 0; for a solver's file the time of its data, in the "
-                             "file's unit, also between steps, default: the first step")
+                        help="time of the waves in s, default 0; for a solver's file: time of its data in the file's "
+                             "unit, which may lie between two steps, default: the first step")
     render.add_argument("--step", type=number(-100000, 100000, int), metavar="N",
                         help="step of a solver's file, instead of the time: 0 is the first, -1 the last")
     add_scene_arguments(render)
@@ -275,7 +275,7 @@ def make_parser():
     view.add_argument("--out", default="water.png", metavar="FILE",
                       help="picture that the key Return writes; default %(default)s")
     view.add_argument("--time", type=number(-1e15, 1e15), metavar="S",
-                      help="initial time of the waves, in s; for a solver's file the initial time of its data, in "
+                      help="initial time of the waves in s, default 0; for a solver's file: initial time of its data in "
                            "the file's unit, default: the first step")
     view.add_argument("--step", type=number(-100000, 100000, int), metavar="N",
                       help="step of a solver's file, instead of the time: 0 is the first, -1 the last")

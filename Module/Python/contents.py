@@ -106,7 +106,7 @@ def add_steps(facts, path):
         facts["try"].insert(0, f"vtkwater render {shlex.quote(facts['file'])} {options}")
     elif not facts["try"]:
         wanted = "--contour, a volume fraction" if is_volume else "two of --level, --depth and --bed"
-        facts["notes"].append(f"no array has a usual name; name the arrays of {wanted}")
+        facts["notes"].append(f"no array has a usual name; name arrays for {wanted}")
 
 
 def sizes_of(mesh):

@@ -63,7 +63,7 @@ def lay_on_water(actor, nearer=NEARER):
         raise ValueError(f"actor shows {shown}; it must show a vtkPolyData")
     filled = lines.GetNumberOfPolys() + lines.GetNumberOfStrips()
     if filled:
-        raise ValueError(f"actor has {filled} polygons; it must have lines alone")
+        raise ValueError(f"actor has {filled} polygons; it must have only lines")
     actor.ForceTranslucentOn()  # clear water copies what is drawn before it
     # with edges VTK offsets this actor's lines, and no other's; a mesh of lines has no edges to show
     actor.GetProperty().EdgeVisibilityOn()

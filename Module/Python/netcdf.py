@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""NetCDF files by VTK's readers, with their units: a mesh by the UGRID conventions, otherwise a grid by CF's.
+"""Reads NetCDF files and their units with VTK's readers: a mesh of the UGRID conventions, otherwise a grid of CF's.
 
     source = open_netcdf(Path("tide.nc"))
     source.is_lonlat        # do its coordinates have the units degrees_east and degrees_north?
@@ -145,8 +145,8 @@ def cf_reader(path):
 
 
 def check_dimensions(path):
-    """Check dimensions: VTK's reader crashes if all variables with a place have an empty one, as in a run that has just
-    begun.
+    """Raise a FileError if every variable of two or more dimensions has an empty one, as in a run that has just begun:
+    VTK's reader would crash.
 
     Needs the package netCDF4.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tell whether a PLY file has all of its data: VTK's reader shows what there is of a file that is cut off, or crashes.
+"""Tell whether a PLY file has all of its data. If it is cut off, VTK's reader shows what is left, or crashes.
 It also crashes if a number of elements or corners is negative, or if faces have no list of corners.
 
     missing_of(path)    # "" if nothing is missing, otherwise what is wrong

@@ -139,7 +139,7 @@ def add_water(
         An array of the surface's points or cells that colours the water, through ``cmap`` (default: the theme's) and
         ``clim`` (two values), as in ``add_mesh``. The default of ``clim`` is the array's range when the water is added,
         which is that of the first step: for an animation, pass ``clim``. ``cmap`` may also be a lookup table
-        (:vtk:`vtkScalarsToColors`) with categories, a scale, a range and a colour of NaN of its own.
+        (:vtk:`vtkScalarsToColors`) with its own categories, scale, range and colour of NaN.
 
     log_scale : bool, default: False
         Whether these colours have a logarithmic scale. The default of ``clim`` then begins with the smallest value
@@ -167,8 +167,8 @@ def add_water(
 
     own_view : bool, optional
         Whether the refracted colours come from an additional view of what lies below the water, twice as wide and
-        high as the picture: objects outside the picture, behind others above the water, and translucent ones are then
-        visible through the water. Turns refraction on. False: they come from the picture. By default, the view is
+        high as the picture: objects outside the picture or behind objects above the water, and translucent objects, are
+        then visible through the water. Turns refraction on. False: they come from the picture. By default, the view is
         rendered for open water, without ground under it, if the camera is above the water and looks down by less than
         30 degrees.
 

@@ -431,7 +431,7 @@ def scale_and_tie_of(matrix, path):
     turn = max(abs(x_rows), abs(y_columns))
     if not (x_columns > 0.0 and y_rows < 0.0 and turn <= 1e-9 * min(x_columns, -y_rows)):
         raise FileError(f"{path}: its pixels are not in rows from west to east and north to south: x is {x_columns:g} "
-                        f"column {x_rows:+g} row, y is {y_columns:g} column {y_rows:+g} row; gdalwarp turns them")
+                        f"column {x_rows:+g} row, y is {y_columns:g} column {y_rows:+g} row; gdalwarp corrects this")
     return (x_columns, -y_rows), (0.0, 0.0, 0.0, west, north, 0.0)
 
 

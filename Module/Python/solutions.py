@@ -205,7 +205,8 @@ class Solution:
         for name in self._arrays:
             array = array_of(mesh, name)
             if array is None:
-                wrong = f"the array '{name}' has texts" if is_text(mesh, name) else f"there is no array '{name}'"
+                is_texts = is_text(mesh, name)
+                wrong = f"the array '{name}' has text instead of numbers" if is_texts else f"there is no array '{name}'"
                 raise FileError(f"{self.path}: {wrong}{self._of_step(i)}; arrays are: "
                                 f"{names_of(mesh)}{self._source.hint}")
             of_cells = mesh.GetPointData().GetArray(name) is None
@@ -283,7 +284,7 @@ def odd_units(solution, names):
 
 
 def is_text(mesh, name):
-    """Whether an array of this name has texts in place of numbers."""
+    """Whether an array of this name has text instead of numbers."""
     return any(data.GetAbstractArray(name) is not None for data in (mesh.GetPointData(), mesh.GetCellData()))
 
 

@@ -4,7 +4,8 @@
     depth_0.tif  depth_600.tif  depth_1200.tif  bed.tif
 
 A file's name in a folder ends with its time, after a _ or a -; the part before it is the array's name. The time is a
-number, or a date (date_of). A file without a time holds for all times. Files elsewhere are given with their times.
+number, or a date (date_of). A file without a time holds for all times. Files that are not in one folder are listed with
+their times.
 """
 import datetime
 import math
@@ -187,13 +188,13 @@ class TiffStack:
         first = self._grid
         if first[0] != grid[0]:
             raise FileError(f"{file}: has {grid[0][1]} x {grid[0][0]} pixels; {first[3].name} has "
-                            f"{first[0][1]} x {first[0][0]}, and all files must have as many")
+                            f"{first[0][1]} x {first[0][0]}, and all files must have the same size")
         size = max(first[0])
         for what, one, other, scale in (("pixel size", first[1], spacing, 1.0 / size),
                                         ("place", first[4], place, 1.0)):
             if max(abs(a - b) for a, b in zip(one, other)) > MOST_OFF * scale * max(first[1]):
                 raise FileError(f"{file}: its {what} is {other[0]:g}, {other[1]:g}; that of {first[3].name} is "
-                                f"{one[0]:g}, {one[1]:g}, and all files must lie in one place")
+                                f"{one[0]:g}, {one[1]:g}, and all files must have the same {what}")
         heights = np.array(values, dtype=float)
         if no_data is not None:
             heights[is_no_data(np.asarray(values), no_data)] = np.nan

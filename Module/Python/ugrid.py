@@ -75,7 +75,7 @@ class UgridMesh:
         repeated = np.setdiff1d(np.arange(len(values)), self._order)  # those in order are the first of each time
         if repeated.size:
             i = repeated[0]
-            raise TimesError(f"{path}: its time {i} is {values[i]:g}, as an earlier one; times must differ")
+            raise TimesError(f"{path}: its time {i} is {values[i]:g}, like an earlier one; times must differ")
 
     def files_of(self, i):
         return ()

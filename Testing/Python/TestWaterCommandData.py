@@ -92,7 +92,8 @@ def test_an_array_of_texts_is_told_once(tmp_path, capsys):
     write_xml(tmp_path / "labels.vts", mesh)
     status, _, told = run(tmp_path, capsys, "render", tmp_path / "labels.vts", "--depth", "label", "--bed", "zb", *LOOK)
     wt.check_equal(f"status, lines: {told}", (status, len(told.strip().splitlines())), (1, 1))
-    wt.check_equal("said", "labels.vts: the array 'label' has texts; arrays are: zb (points)" in told, True)
+    wanted = "labels.vts: the array 'label' has text instead of numbers; arrays are: zb (points)"
+    wt.check_equal("said", wanted in told, True)
     wt.check_equal("named", told.count("label ") + told.count("'label'"), 1)
 
 

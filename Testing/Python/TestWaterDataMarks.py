@@ -219,7 +219,7 @@ def test_what_has_no_lines_is_refused():
     with pytest.raises(ValueError, match="actor has no mapper"):
         lay_on_water(vtkActor())
     solid = wt.add_actor(wt.View(SIZE).renderer, wt.box((0, 0, 0), (1, 1, 1)), (1, 1, 1))
-    with pytest.raises(ValueError, match="actor has 6 polygons; it must have lines alone"):
+    with pytest.raises(ValueError, match="actor has 6 polygons; it must have only lines"):
         lay_on_water(solid)
     with pytest.raises(ValueError, match=r"nearer is -1; it must be in \[0, 60000\]"):
         lay_on_water(solid, nearer=-1)

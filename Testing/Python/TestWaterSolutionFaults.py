@@ -163,7 +163,7 @@ def test_times_that_do_not_ascend_are_an_error(write, times, words, tmp_path):
 
 
 def test_a_repeated_time_of_a_mesh_is_an_error_without_vtks_reader(tmp_path):
-    with pytest.raises(FileError, match="its time 2 is 600, as an earlier one; times must differ"):
+    with pytest.raises(FileError, match="its time 2 is 600, like an earlier one; times must differ"):
         UgridMesh(write_mesh(tmp_path / "a.nc", times=(0.0, 600.0, 600.0)))
 
 

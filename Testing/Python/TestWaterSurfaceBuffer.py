@@ -15,7 +15,7 @@ HALF = 10.0
 CELLS = 160  # along a side: most triangles are smaller than a pixel
 MOST_SHARE = 2e-4  # of pixels that may be off by more than 1 of 255
 MOST_SHARE_OF_SAMPLES, WORST_OF_SAMPLES = 2e-3, 24
-IN_USE = "the surface is shaded once a pixel, from a buffer"
+IN_USE = "the surface is shaded once per pixel, from a buffer"
 
 
 @pytest.fixture(autouse=True)

@@ -35,7 +35,7 @@ SEEDS = range(50)  # of the report
 SAMPLES = 16  # rays a pixel
 MOST_RMSE = 4.0  # of 255
 SHOWN = 3  # scenes in the report
-SEEN = "what the picture has of refracted rays"
+SEEN = "refracted rays whose correct colour is in the picture"
 MOST_STRANGE = 0.2  # % of the pixels for which the picture has what is right
 TEXT = """
 $count scenes of clear water over a bed, with objects standing in it, lying under it, floating, or hanging over it,
@@ -213,11 +213,12 @@ def _summary(rows):
         cells.append((reason, f"{100 * pixels / water:.2f} %", str(sum(row[f"strange {reason}"] for row in rows)),
                       f"{(error / max(pixels, 1)) ** 0.5:.2f}", str(sum(row[f"strange {reason}"] > 0 for row in rows))))
     text = table(("the correct colour is", "share of the pixels", "strange pixels", "RMSE of 255", "scenes with strange"), cells)
-    return text + (f"\n\nall: {sum(row['strange'] for row in rows)} strange of {water} "
-                   f"(one ray: {sum(row['strange perfect'] for row in rows)}), scenes with RMSE <= {MOST_RMSE:g}: "
-                   f"{sum(row['RMSE'] <= MOST_RMSE for row in rows)} (one ray "
-                   f"{sum(row['RMSE perfect'] <= MOST_RMSE for row in rows)}) of {len(rows)}, without strange pixels: "
-                   f"{sum(row['strange'] == 0 for row in rows)}")
+    return text + (f"\n\nTogether, {sum(row['strange'] for row in rows)} of {water} pixels are strange "
+                   f"({sum(row['strange perfect'] for row in rows)} with one perfect ray per pixel). "
+                   f"The RMSE is at most {MOST_RMSE:g}\n"
+                   f"in {sum(row['RMSE'] <= MOST_RMSE for row in rows)} of {len(rows)} scenes ("
+                   f"{sum(row['RMSE perfect'] <= MOST_RMSE for row in rows)} with one perfect ray). "
+                   f"{sum(row['strange'] == 0 for row in rows)} scenes have no strange pixels.")
 
 
 if __name__ == "__main__":

@@ -226,7 +226,7 @@ def _judge(report, rows, qualities):
         report.check_at_most(f"{name}, {quality}: pixels that show the background behind a dome",
                              sum(row.get(f"background {quality}", 0) for row in rows), 0, 0)
     report.check_at_most(f"{name}, truth: pixels that show the background behind a dome", sum(row.get("background truth", 0) for row in rows), 0, 0)
-    report.check_at_most(f"{name}: % of pixels in which VTK without water and the tracer are apart, most of a scene",
+    report.check_at_most(f"{name}: % of pixels in which VTK without water and the tracer differ, most of a scene",
                          max(row["apart"] for row in rows), MOST_APART)
     report.check_at_most(f"{name}: % of the tracer's hits off their triangle's plane, mean",
                          float(np.mean([row["doubtful"] for row in rows])), 0.1)

@@ -57,26 +57,27 @@ of the pixels:
 
 $small_steps
 
-The same cells in other data sets, coloured, over VTK's plain surface of the same data set:
+Coloured water of the same cells in other data sets, divided by VTK's plain surface of the same data set:
 
 $grids
 
-The first picture of a file of $file_cells cells without compression, each in a new process, from the file's name on:
+The first picture of a file of $file_cells cells without compression, each in a new process that is given the file's
+name:
 
 $first
 
 Reading and drawing a step of a series of compressed files with a quarter of the cells takes $ahead
 
-What a process has allocated while it shows $count steps goes up and down over the second half of the steps, by so many
-MB. It is measured without llvmpipe's threads, which keep lists of triangles of finished pictures for an arbitrary time.
-What water has in use follows its area.
+The memory that a process has allocated goes up and down over the second half of $count steps, by the MB in the table.
+It is measured without llvmpipe's threads, which keep lists of triangles of finished pictures for an arbitrary time. The
+memory that water uses follows its area.
 
 $memory
 
 50 lakes of one mesh at 50 levels, 6 of them in view, take $lakes_ms ms per frame with $lakes_views mirrored views. 6 waters that are placed by hand take $placed_ms ms with $placed_views views (ratio of the work $lakes_ratio). Pixels that differ: $lakes_pixels.
 
-Values of $places random places of a coloured surface, read back from the picture's pixels with optics off: off by at
-most $color_error steps of the table.
+Values of $places random places of a coloured surface, read back from the picture's pixels with optics off, differ from
+the data by at most $color_error steps of the table.
 """
 
 

@@ -109,7 +109,7 @@ def _five_scenes():
     yield "terrain in 16 tiles", terrain(fill=scenes.make_terrain(tiles=4))
     yield "1,000 props", scenes.Scene(kinds["1,000 props"], (800, 600))
     yield "1,000 props under the plane", _under()[0]
-    yield "1,000 props beside the pyramid", _beside()[0]
+    yield "1,000 props outside the mirrored view", _beside()[0]
     pond = scenes.Scene(kinds["1,000 props"], (800, 600))
     pond.water.SetSheetBounds(-2, 2, -9, -6)
     yield "a pond among 1,000 props", pond
@@ -225,7 +225,7 @@ def _shares(results):
 def run(results):
     tables = [
         _compare(results, f"{COUNT:,} props {where}", make)
-        for where, make in (("under the plane", _under), ("beside the water's pyramid", _beside))
+        for where, make in (("under the plane", _under), ("outside the mirrored view", _beside))
     ]
     results.add(
         "Props that the water cannot show",

@@ -33,8 +33,8 @@ Measured on $renderer ($window, VTK $vtk, $cpu, $cores cores) by `script/gpu ben
 round. Each turn has three frames to settle, then four that count. Ratios compare medians within a round with the same
 scene without water, or with VTK's plain surface of the same data; the quartiles of all rounds are in brackets.
 
-How much it draws (`Utilities/Benchmarks/gpu_rates.py`): $draws. An H200 draws with 4 of its 132 processors. Cards made
-for graphics draw with all of theirs: the shader of the water then takes a smaller part of a frame.
+How fast this GPU draws (`Utilities/Benchmarks/gpu_rates.py`): $draws. An H200 draws with 4 of its 132 multiprocessors.
+Cards made for graphics draw with all of theirs: the shader of the water then takes a smaller part of a frame.
 
 $scenes
 

@@ -27,8 +27,8 @@ STEP_S = 0.04  # s of the water's time from frame to frame
 
 TEXTS = {
     PLAIN: "the scene",
-    SECOND_PASS: "the scene, and before it the scene from a mirrored camera, by a renderer of its own: "
-                 "what any user could write, and nothing looks it up",
+    SECOND_PASS: "first the scene from a mirrored camera, drawn by a renderer of its own, then the scene: "
+                 "what any user could write. Nothing looks the first picture up",
     COPIES: "the scene, its mirror image as an actor, and a translucent plane between them",
     CALM: "calm water",
     HALF: "calm water, TextureScale 0.5",

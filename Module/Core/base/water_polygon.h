@@ -31,7 +31,7 @@ bool water_polygon_normal(const double* corners, size_t count, double normal[3])
 void water_polygon_add_normals(
   const double* points, const int64_t* starts, const int64_t* corners, size_t count, float* sums);
 
-// The points that somebody adds to, if several add to one mesh at once.
+// The points that one thread adds to, if several threads add to one mesh at once.
 typedef struct water_polygon_share
 {
   const uint16_t* owners; // of each point

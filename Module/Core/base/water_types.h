@@ -80,7 +80,7 @@ typedef enum water_cull_reason
 enum // water_settings.skips, a bit each: invisible work that may be skipped
 {
   WATER_MAY_SKIP_UNSEEN = 1 << 0,    // the reflection texture of water out of view or facing away
-  WATER_MAY_SKIP_HIDDEN = 1 << 1,    // the reflection texture of water behind the scene
+  WATER_MAY_SKIP_HIDDEN = 1 << 1,    // the reflection texture of hidden water
   WATER_MAY_SKIP_FAINT = 1 << 2,     // the reflection texture of water that reflects almost nothing
   WATER_MAY_SKIP_UNCHANGED = 1 << 3, // a reflection texture equal to the last one
   WATER_MAY_SKIP_SHARED = 1 << 4,   // a reflection texture that another sheet of the same plane has
@@ -247,7 +247,7 @@ typedef struct water_scene
   bool is_endless;          // the surface reaches to the horizon, whatever these bounds
   bool hides_above;         // the surface is not drawn for an eye above it, or below
   bool hides_below;
-  bool is_hidden;          // all of it is behind the scene
+  bool is_hidden;          // other objects hide all of it
   bool is_flat;            // all of it lies in the plane, and is drawn no nearer than that
   bool has_scene_depth;    // there is a depth per pixel of what hides the surface from the eye
   bool is_software;        // there is no GPU: pixels and triangles are expensive, draws are not

@@ -39,7 +39,7 @@ extern const double water_clear_sky_turbidity_max; // 10: hazy
 // elevation_deg  over the horizon, in [0, 90]
 // turbidity      of the air, in [2, 10]
 //
-// Returns false, and leaves the output, for other values.
+// Returns false, and leaves the output unchanged, for other values.
 bool water_clear_sky_make(
   double azimuth_deg, double elevation_deg, double turbidity, water_clear_sky* sky);
 

@@ -28,7 +28,8 @@ water_status water_glitter_variance(double wind_speed, double variance[2]);
 // Used only by tests, as a reference.
 water_status water_glitter_mean_square(double wind_speed, double* mean_square);
 
-// The same variances in axes that the first variance's direction is turned from: xx, yy and xy.
+// The same variances along the axes from which the direction of the first variance is counted: xx,
+// yy and xy.
 //
 // dir_rad  of the first variance, from the first towards the second axis
 void water_glitter_covariance(const double variance[2], double dir_rad, double covariance[3]);

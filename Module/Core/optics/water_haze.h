@@ -8,8 +8,9 @@
 // waterHazeOver of vtkWaterHaze.glsl. It is scaled so that a look straight down from just under the
 // surface, without an end, shows the water's deep colour: what an eye over the water sees.
 //
-// The result is the colour H of mix(H, colour, exp(-c way)): what the way adds, over what it takes
-// of white. With daylight that is the same everywhere and no directions it is the deep colour.
+// The result is the colour H of mix(H, colour, exp(-c way)): the light that the way adds, divided
+// by the share of white light that it takes away. With daylight that is the same everywhere and no
+// directions it is the deep colour.
 #ifndef water_haze_h
 #define water_haze_h
 
@@ -45,9 +46,9 @@ typedef struct water_haze
 // Source: Gordon 1989 (as water_type_medium).
 void water_haze_find(const water_haze_input* input, water_haze* haze);
 
-// How much of the haze an eye has that has just come into the water: an eye over it sees one
-// colour, the deep colour, so all begins with that. The rest comes with the depth, until light is
-// weakened by a tenth over it.
+// The share of the haze for an eye just under the surface. An eye over the water sees one colour,
+// the deep colour, so the haze begins with this colour. Its dependence on depth and direction fades
+// in with the depth of the eye, up to an optical depth of 0.1.
 //
 // extinction  1/m, of green
 // depth       of the eye, m; 0: over the water

@@ -56,8 +56,9 @@ water_status water_beyond_size(const int viewport_px[2], const int tile_scale[2]
 water_prop water_beyond_prop(const water_prop* prop);
 
 // Are translucent props and volumes kept apart in the own view, so that rays meet them where they
-// are? Not with several ranks, whose views are joined without. Not on a GPU that has a volume to
-// draw: after it was drawn into a layer, an H200's main view showed it over the water.
+// are? Not with several ranks, whose own views are joined without such a layer. Not on a GPU that
+// has a volume to draw: after it was drawn into a layer, an H200's main view showed it over the
+// water.
 bool water_beyond_keeps_layer(bool is_software, bool has_volumes, bool has_ranks);
 
 // Widens a part of the picture that water covers, seen from above, by where its refracted rays are

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_buffer.c: whether a user's mesh is shaded once a pixel.
+// water_buffer.c: whether a user's mesh is shaded once per pixel.
 #include "water_buffer.h"
 
 #include "water_math.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_buffer.h: in addition to the plan: whether a user's mesh is shaded once a pixel.
+// water_buffer.h: in addition to the plan: whether a user's mesh is shaded once per pixel.
 //
 // A software renderer runs the shader for each triangle, on all pixels of a block of which the
 // triangle covers a part. The shader of water is long. A mesh whose triangles are small is
 // therefore drawn with a short shader into a buffer, which has its height, its slope and its
-// distance at each pixel. Then the long shader runs once a pixel.
+// distance at each pixel. Then the long shader runs once per pixel.
 #ifndef water_buffer_h
 #define water_buffer_h
 
@@ -19,7 +19,7 @@ extern "C"
 // X(name, text): why a surface has a buffer, or has none.
 #define WATER_BUFFER_LIST(X)                                                                       \
   X(NOT_DRAWN, "the surface has not been drawn")                                                   \
-  X(IN_USE, "the surface is shaded once a pixel, from a buffer")                                   \
+  X(IN_USE, "the surface is shaded once per pixel, from a buffer")                                 \
   X(OFF, "the setting is off")                                                                     \
   X(HARDWARE, "a GPU draws the surface, which is faster without a buffer")                         \
   X(NO_MESH, "the surface is no mesh of the user's, or waves displace it")                         \

@@ -55,7 +55,7 @@ extern "C"
   X(PORT, "a camera behind a dome port, which may be half under water")                            \
   X(FLOW, "a current carries the waves over a user's mesh")                                        \
   X(GROUND, "there is ground under all of the water")                                              \
-  X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once a pixel")             \
+  X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once per pixel")           \
   X(MATTER, "data give the concentration of matter in the water")                                  \
   X(FOAM_DATA, "data give the foam cover")                                                         \
   X(SKY_VIEW, "meshes that may be the sky have a view of their own")                               \

@@ -71,7 +71,7 @@ size_t water_fit_add_polygons(const double* points, const int64_t* starts, const
 void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit);
 
 // Adds all that another fit with the same up direction has, so that blocks of a part may be added
-// apart.
+// separately.
 void water_fit_join(const water_fit* other, water_fit* fit);
 
 // The plane of the triangles added so far. It is level in three cases: the best plane is tilted by

@@ -53,7 +53,7 @@ void water_flow_ways(const water_axes* axes, const double mesh_to_world[16], dou
 //
 // This does not apply to a wind sea: waterFlowBandGain keeps the variance of each of its tiles.
 //
-// longest  wave; 0: there is none, and nothing becomes unlike
+// longest  wave; 0: there is none, and the distance has no limit (1e30)
 double water_flow_likeness(double longest);
 
 #ifdef __cplusplus

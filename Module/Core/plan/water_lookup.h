@@ -81,7 +81,7 @@ void water_lookup_under(
 
 // A direction of the world in the plane's axes (the third towards the eye), at unit length.
 //
-// Returns false, and leaves the output, when it has no finite length or none.
+// Returns false, and leaves the output unchanged, if its length is 0 or not finite.
 bool water_lookup_local(const water_axes* axes, const double dir[3], double local[3]);
 
 // Directions in the plane's axes -> (right, up, back) of a picture of the surroundings: back =

@@ -36,16 +36,16 @@ bool water_plan_wants_visibility(const water_plan* last, const water_plan* plan)
 //
 // scene         of the plan
 // last          as above
-// is_unchanged  nor has all that a plan does not know: what the drawn props look like, the lights,
-//               the background
+// is_unchanged  everything that a plan does not know is unchanged, too: what the drawn props look
+//               like, the lights, the background
 // visible       NULL: any part may be looked up
 // reasons       of the plan
 void water_plan_revise(const water_scene* scene, const water_plan* last, bool is_unchanged,
   const struct water_visibility* visible, water_plan* plan, water_cull_reason* reasons);
 
 // May the clip at the water cut an object in this box? No, if the box is on the kept side by more
-// than the error of single precision. Numbers that are not finite, and an empty box (min > max),
-// say nothing: true.
+// than the error of single precision. True for numbers that are not finite, and for an empty box
+// (min > max).
 bool water_plan_cuts(const water_plan* plan, const double bounds[6]);
 
 // Is it worthwhile to draw the next reflection texture only after the eye's picture? That picture

@@ -111,7 +111,7 @@ bool water_ranks_are_gone(const water_rank_frame* frames, size_t rank_count);
 // bad_rank  as above
 //
 // Returns WATER_OK, WATER_RANKS_BAD_WATER (of the first rank that has an error),
-// WATER_RANKS_DIFFERENT_WATERS (views that are not shared by as many) or
+// WATER_RANKS_DIFFERENT_WATERS (different numbers of waters share the view) or
 // WATER_RANKS_DIFFERENT_LOOKS, or WATER_RANKS_NO_SUCH_RANK for a farthest rank that does not exist;
 // with an error *joined is unchanged.
 water_status water_ranks_join_views(const water_rank_view* views, size_t rank_count, size_t rank,

@@ -24,7 +24,7 @@ void water_sky_map_none(water_sky_map* map);
 // rotation  world -> (right, up, back) of the picture, 3 rows
 void water_sky_map_sphere(const double rotation[9], water_sky_map* map);
 
-// Two of them over each other, for two eyes, with the projection StereoSphere.
+// Two of them, one above the other, for two eyes, with the projection StereoSphere.
 void water_sky_map_stereo(const double rotation[9], bool is_left_eye, water_sky_map* map);
 
 // A cube map.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_target.h: how large the reflection texture
-// is, and which part of it the water can look up.
+// water_target.h: how large the reflection texture is, and which part of it the water can look up.
 #ifndef water_target_h
 #define water_target_h
 
@@ -20,15 +19,15 @@ extern "C"
 water_status water_target_size(
   const int viewport_px[2], double texture_scale, int max_texture_px, int texture_px[2]);
 
-// The texture scale of frames that are averaged: twice as fine, so that what is filtered between
-// two texels is not seen in the mean, or as it was where a texture so large is not to be had.
+// The texture scale of frames that are averaged: twice as fine, so that filtering between two
+// texels is not visible in the mean. Unchanged if the GPU has no texture that large.
 //
 // Source: measured, Documentation/decisions/006-lookup.md.
 double water_target_fine_scale(const int viewport_px[2], double texture_scale, int max_texture_px);
 
-// The part of the picture that water within a box covers, or whose mirror image it is: a point at
-// height h over the plane looks at the picture of its own mirror image, which for h = 0 is its own
-// picture.
+// The part of the picture that water within a box, or the mirror image of this water, covers. A
+// point at height h over the plane looks up the place at which the picture would show its mirror
+// image; for h = 0 this is its own place.
 //
 // eye             the eye, not the mirrored camera
 // plane           normalised

@@ -2,7 +2,7 @@
 // water_fft.h: a Fourier transform in passes that compute each number from a few others, as shaders
 // do. What is transformed along a line of so many numbers is not reordered before or after.
 //
-// A pass of radix R makes of a line a the line b[o] = sum over r < R of w[o]^r a[f[o] + r size /
+// A pass of radix R turns a line a into the line b[o] = sum over r < R of w[o]^r a[f[o] + r size /
 // R]. Source: Stockham 1966, "High-Speed Convolution and Correlation"; Govindaraju et al. 2008,
 // "High Performance Discrete Fourier Transforms on Graphics Processors".
 #ifndef water_fft_h
