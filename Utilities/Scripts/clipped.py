@@ -3,7 +3,7 @@
 
 usage: clipped.py [PICTURE...]    default: all of them
 
-A pixel is the water's if it changes when the waters show their confidence, which is nearly black. It is clipped if
+A pixel is the water's if it changes when the waters are hidden. It is clipped if
 all channels are 255; "glitter" leaves out those that are white without the sun's glitter, too. "Kept" is the light of
 the water's pixels, the sum of their values, over what it is without the roll-off of highlights. Ends with 1 if more than
 1 % of the water's pixels are glitter that is clipped, or less than 95 % of the light is kept. Run it with a Python that
@@ -19,6 +19,7 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 LIMIT = 1.0  # % of the water's pixels
+SMALL_PX = 500  # a side: of larger windows, the light is measured in pictures of half their size
 LEAST_KEPT = 95.0  # % of the water's light
 # what sitecustomize does in each example's Python: it watches where pictures are taken from
 HOOK = f"import sys; sys.path.insert(0, {str(HERE)!r}); import clipped; clipped.watch()"
@@ -46,34 +47,55 @@ def measure(window, grabber, shown=None):
     def pixels_of(image):
         return vtk_to_numpy(image.GetPointData().GetScalars())[:, :3].astype(int)
 
-    def picture():
+    def picture(is_rendered=True):
         grab = grabber()
         grab.SetInput(window)
         grab.ReadFrontBufferOff()
+        grab.SetShouldRerender(is_rendered)
         grab.Update()
         return pixels_of(grab.GetOutput())
 
-    looks = [water.GetWaterProperty() for water in waters_of(window)]
-    if not looks:
+    waters = waters_of(window)
+    if not waters:
         return None
-    states = [(look.GetOutput(), look.GetGlitter(), look.GetHighlightRollOff()) for look in looks]
-    plain = picture() if shown is None else pixels_of(shown)
-    for look in looks:
-        look.SetOutputToConfidence()
-    is_water = (plain != picture()).any(axis=1)
-    for look, (output, _, _) in zip(looks, states):
-        look.SetOutput(output)
-        look.HighlightRollOffOff()
-    light = picture()[is_water].sum() if any(rolls for _, _, rolls in states) else 0
-    kept = 100 * plain[is_water].sum() / light if light else 100.0
-    for look in looks:
-        look.GlitterOff()
-    is_white = is_water & (plain >= 255).all(axis=1)
-    is_glitter = is_white & ~(picture() >= 255).all(axis=1) if is_white.any() else is_white
-    for look, (_, glitter, rolls) in zip(looks, states):
-        look.SetGlitter(glitter)
-        look.SetHighlightRollOff(rolls)
-    return int(is_water.sum()), int(is_white.sum()), int(is_glitter.sum()), float(kept)
+    looks = [water.GetWaterProperty() for water in waters]
+    states = [(look.GetGlitter(), look.GetHighlightRollOff()) for look in looks]
+
+    def set_looks(has_glitter=True, rolls_off=True):
+        for look, (glitter, rolls) in zip(looks, states):
+            look.SetGlitter(glitter and has_glitter)
+            look.SetHighlightRollOff(rolls and rolls_off)
+
+    def picture_without_water():
+        for water in waters:
+            water.VisibilityOff()
+        dry = picture()
+        for water in waters:
+            water.VisibilityOn()
+        return dry
+
+    plain = picture(is_rendered=False) if shown is None else pixels_of(shown)  # it is in the window
+    is_white = (plain >= 255).all(axis=1)
+    glitter_count = 0
+    if is_white.any():
+        is_white &= (plain != picture_without_water()).any(axis=1)
+        set_looks(has_glitter=False, rolls_off=False)
+        glitter_count = int((is_white & ~(picture() >= 255).all(axis=1)).sum())
+        set_looks()
+    # shares of light are those of a smaller picture, which takes a fraction of the time
+    size = tuple(window.GetSize())
+    scale = 1 if max(size) < SMALL_PX else 2
+    window.SetSize(size[0] // scale, size[1] // scale)
+    small = picture() if scale > 1 else plain
+    is_water = (small != picture_without_water()).any(axis=1)
+    kept = 100.0
+    if any(rolls for _, rolls in states):
+        set_looks(rolls_off=False)
+        light = picture()[is_water].sum()
+        kept = 100 * small[is_water].sum() / light if light else kept
+    set_looks()
+    window.SetSize(*size)
+    return int(is_water.sum()) * scale * scale, int(is_white.sum()), glitter_count, float(kept)
 
 
 def watch():
@@ -104,7 +126,8 @@ def watch():
             super().Update(*arguments)
             if windows:
                 take(self.GetOutput())
-                windows[0].Render()
+                if not self.GetShouldRerender():  # the window's own picture is taken again
+                    windows[0].Render()
 
     def finish():
         if not windows:  # something else has taken the picture
