@@ -246,11 +246,20 @@ void vtkWaterActor::Internals::SetIsDrawing(bool isDrawing)
 
 namespace
 {
-water_feature_set FeaturesOf(const vtkWaterLook& look)
+// Water to the horizon reaches beyond all that is under it. With the picture alone, what hides a ray hides a bed as likely as
+// deep water.
+bool IsOpen(const vtkWaterSnapshot& water)
 {
+  return water.Look.Bed == WATER_UNITS_BED_NONE ||
+    (water.IsEndless && water.Look.RefractionSource != WATER_FROM_PICTURE);
+}
+
+water_feature_set FeaturesOf(const vtkWaterSnapshot& water)
+{
+  const vtkWaterLook& look = water.Look;
   water_feature_set features = water_features_of(&look.Has);
   features = look.HasGround ? water_features_with_ground(features) : features;
-  features = look.Bed == WATER_UNITS_BED_NONE ? water_features_with_open(features) : features;
+  features = IsOpen(water) ? water_features_with_open(features) : features;
   return look.DomePortRadius > 0.0 ? water_features_with_port(features) : features;
 }
 }
@@ -285,8 +294,8 @@ bool HasOwnView(const vtkWaterSnapshot& water, vtkRenderer* renderer)
   vtkCamera* camera = window ? renderer->GetActiveCamera() : nullptr;
   const bool isLow = camera &&
     water_beyond_is_low(&water.Plane, camera->GetPosition(), camera->GetDirectionOfProjection());
-  return water_beyond_is_wanted(water.Look.RefractionSource, water.Look.Bed == WATER_UNITS_BED_NONE,
-    isLow, window ? window->GetTileScale() : whole);
+  return water_beyond_is_wanted(
+    water.Look.RefractionSource, IsOpen(water), isLow, window ? window->GetTileScale() : whole);
 }
 }
 
@@ -315,7 +324,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   // code that adds black costs a GPU a twentieth of its time for the surface
   made->Look.Has.has_glitter =
     made->Look.Has.has_glitter && (!renderer || vtkWaterGather::HasSun(renderer));
-  made->Features = FeaturesOf(made->Look);
+  made->Features = FeaturesOf(*made);
   if (made->Mesh.HasVertexHeights)
   {
     made->Features = made->Mesh.IsSloped && this->Self->MeshSlopes

@@ -169,7 +169,7 @@ def add_water(
         Whether the refracted colours come from an additional view of what lies below the water, twice as wide and
         high as the picture: objects outside the picture or behind objects above the water, and translucent objects, are
         then visible through the water. Turns refraction on. False: they come from the picture. By default, the view is
-        rendered for open water, without ground under it, if the camera is above the water and looks down by less than
+        rendered for water that reaches to the horizon, if the camera is above the water and looks down by less than
         30 degrees.
 
     foam : float | bool, optional
@@ -385,8 +385,8 @@ def add_water(
             set_bounds(actor, bounds)
         else:
             actor.SetSheetToAutomatic()
-            if own_view is None:
-                actor.GetWaterProperty().SetRefractionSourceToAutomatic()
+        if own_view is None:
+            actor.GetWaterProperty().SetRefractionSourceToAutomatic()
         actor.SetTime(number("time", time))
     if data_opacity is not None:
         look.SetDataOpacity(data_opacity)

@@ -74,3 +74,73 @@ def test_the_hidden_side_of_a_cone_is_no_specks():
     none = picture("cone", "above", has_water=False)
     beside = (none == none[0, 0]).all(axis=2) & (np.abs(shown - shown[100, 60]).max(axis=2) > 12)
     wt.check_at_most("pixels beside the cone that are not deep water", int(beside[:122, :150].sum()), 3)
+
+
+ISLAND = 50.0  # radius of an island with the slope around it that lies under water
+STEP = 0.02
+
+
+def island_height(x, y):
+    """Of an island 12 high, whose slope ends 6 under the water; far below beyond its end."""
+    r = np.hypot(x, y) / ISLAND
+    return np.where(r <= 1.0, -6.0 + 18.0 * np.exp(-(r / 0.45) ** 2), -1e9)
+
+
+def add_island(plotter):
+    disc = pyvista.Disc(inner=0.01, outer=ISLAND, r_res=60, c_res=120)
+    points = disc.points
+    points[:, 2] = island_height(0.9999 * points[:, 0], 0.9999 * points[:, 1])
+    disc.points = points
+    plotter.add_mesh(disc, color="tan", smooth_shading=True)
+
+
+def what_refracted_rays_meet(eye, size, angle):
+    """For each pixel of a camera that looks at the origin: 0, not water; 1, the island; 2, nothing; and the way, m."""
+    ahead = -eye / np.linalg.norm(eye)
+    right = np.cross(ahead, (0, 0, 1)) / np.linalg.norm(np.cross(ahead, (0, 0, 1)))
+    half = np.tan(np.radians(angle / 2))
+    x, y = np.meshgrid((np.arange(size[0]) + 0.5) / size[0] * 2 - 1, 1 - (np.arange(size[1]) + 0.5) / size[1] * 2)
+    ray = ahead + half * (size[0] / size[1] * x[..., None] * right + y[..., None] * np.cross(right, ahead))
+    ray /= np.linalg.norm(ray, axis=2)[..., None]
+    start = eye - (eye[2] / np.minimum(ray[..., 2], -1e-9))[..., None] * ray
+    is_water = (ray[..., 2] < 0) & (np.abs(start).max(axis=2) < 1e4)
+    for part in np.linspace(0.0, 1.0, 500):  # of the way to the water
+        at = eye + part * (start - eye)
+        is_water &= (island_height(at[..., 0], at[..., 1]) < at[..., 2]) | (at[..., 2] <= 1e-9)
+    down = ray / 1.333
+    down[..., 2] = -np.sqrt(1.0 - (1.0 - ray[..., 2] ** 2) / 1.333 ** 2)
+    met = np.where(is_water, 2, 0)
+    way = np.zeros(met.shape)
+    for far in np.arange(0.0, 10.0, STEP):
+        at = start + far * down
+        height = island_height(at[..., 0], at[..., 1])
+        is_met = (met == 2) & (height >= at[..., 2]) & (height < at[..., 2] + 10 * STEP)
+        met[is_met] = 1
+        way[is_met] = far
+    return met, way
+
+
+@pytest.mark.parametrize("degrees, bounds, most", ((20, "horizon", 0.7), (28, "horizon", 0.3), (33, None, 0.3)))
+def test_the_slope_of_an_island_in_water_to_the_horizon_is_whole(degrees, bounds, most):
+    """No blue patches beside the island, nor where the picture's border cuts its slope under water."""
+    size, angle, far = (200, 150), 30.0, 120.0
+    plotter = pyvista.Plotter(off_screen=True, window_size=list(size))
+    plotter.disable_anti_aliasing()
+    add_island(plotter)
+    plotter.add_water(level=0.0, bounds=bounds, units="m")
+    eye = far * np.array([0.0, -np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
+    plotter.camera_position = [eye, (0, 0, 0), (0, 0, 1)]
+    plotter.camera.view_angle = angle
+    plotter.renderer.reset_camera_clipping_range()
+    shown = plotter.screenshot(return_img=True).astype(int)
+    plotter.close()
+    wt.save(shown.astype(np.uint8), wt.output_folder() / f"TestWaterFirstLook-island-{degrees}.png")
+    met, way = what_refracted_rays_meet(eye, size, angle)
+    wrong = 0
+    for row, meets, ways in zip(shown, met, way):
+        deep = row[meets == 2]
+        if len(deep) > 5:
+            is_deep = np.abs(row - np.median(deep, axis=0)).max(axis=1) <= 4
+            wrong += int((is_deep & (meets == 1) & (ways < 9.0)).sum() + (~is_deep & (meets == 2)).sum())
+    wt.check_at_least("pixels with the island's slope under water", int((met == 1).sum()), 10000)
+    wt.check_at_most("% of the water that is wrong", 100 * wrong / float((met > 0).sum()), most)

@@ -33,7 +33,7 @@ bool water_beyond_is_low(const water_plane* plane, const double eye[3], const do
 // Is what lies beyond drawn in a view of its own? Always for a tile of a picture: refracted rays
 // leave a tile, and the tiles beside it are not there to be looked up.
 //
-// is_open     no ground is known to lie under the water
+// is_open     it is known that not all of the water has ground under it: it reaches to the horizon
 // is_low      water_beyond_is_low
 // tile_scale  as in water_scene
 bool water_beyond_is_wanted(

@@ -81,6 +81,10 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   vtkTextureObject* ownColor = hasLayer ? own.Translucent.Opaque : own.Color;
   this->Use("waterSceneColor", isOwn ? ownColor : this->Backdrop.GetColor());
   this->Use("waterSceneDepth", isOwn ? own.Depth : this->Backdrop.GetDepth());
+  if (this->Has(WATER_FEATURE_OPEN))
+  {
+    this->Use("waterPictureDepth", this->Backdrop.GetDepth());
+  }
   if (hasLayer)
   {
     this->Use("waterBelowColor", own.Translucent.Color);
