@@ -4,7 +4,8 @@
 usage: clipped.py [PICTURE...]    default: all of them
 
 A pixel is the water's if it changes when the waters show their confidence, which is nearly black. It is clipped if
-all channels are 255; "glitter" leaves out those that are white without the sun's glitter, too. "Kept" is the light of
+no channel is further than 3 from the brightest that the roll-off of highlights shows, 0.99 of 255: there it
+no longer tells how bright the light is, and a slab of such pixels is as flat as a white one. "glitter" leaves out those that are white without the sun's glitter, too. "Kept" is the light of
 the water's pixels, the sum of their values, over what it is without the roll-off of highlights. Ends with 1 if more than
 1 % of the water's pixels are glitter that is clipped, or less than 95 % of the light is kept. Run it with a Python that
 has vtkwater. gallery.py --check, which the tests ExampleGallery_NAME run, asks the same of each picture that it makes.
@@ -18,6 +19,7 @@ import tempfile
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
+WHITE = 0.99 * 255 - 3  # of 255: what is brighter has no shape left (vtkWaterHighlights.glsl)
 LIMIT = 1.0  # % of the water's pixels
 LEAST_KEPT = 95.0  # % of the water's light
 # what sitecustomize does in each example's Python: it watches where pictures are taken from
@@ -68,8 +70,8 @@ def measure(window, grabber, shown=None):
     kept = 100 * plain[is_water].sum() / light if light else 100.0
     for look in looks:
         look.GlitterOff()
-    is_white = is_water & (plain >= 255).all(axis=1)
-    is_glitter = is_white & ~(picture() >= 255).all(axis=1) if is_white.any() else is_white
+    is_white = is_water & (plain > WHITE).all(axis=1)
+    is_glitter = is_white & ~(picture() > WHITE).all(axis=1) if is_white.any() else is_white
     for look, (_, glitter, rolls) in zip(looks, states):
         look.SetGlitter(glitter)
         look.SetHighlightRollOff(rolls)
