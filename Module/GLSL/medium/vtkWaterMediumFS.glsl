@@ -232,6 +232,29 @@ float waterTransmittedDepth(WaterPoint point)
   return depth >= 1.0 || waterSide < 0.0 ? 1e9 : abs(waterMediumHeight(uv, depth));
 }
 
+// Depth of what the picture shows straight behind a place; far away: nothing.
+float waterMediumStraight(vec2 ndc)
+{
+  vec2 uv = waterMediumPlace(ndc);
+  float depth = waterMediumDepth(uv);
+  return depth >= 1.0 ? 1e9 : -waterMediumHeight(uv, depth);
+}
+
+// How much that depth changes over the pixel, m. To each side of a silhouette it jumps: the smaller change to
+// one of two neighbours is that of the bed.
+float waterTransmittedChange(WaterPoint point)
+{
+  waterMediumTop = point.height;
+  vec2 pixel = 2.0 * waterViewport.zw;
+  float here = waterMediumStraight(point.ndc);
+  vec2 before = abs(here - vec2(waterMediumStraight(point.ndc - vec2(pixel.x, 0.0)),
+    waterMediumStraight(point.ndc - vec2(0.0, pixel.y))));
+  vec2 after = abs(here - vec2(waterMediumStraight(point.ndc + vec2(pixel.x, 0.0)),
+    waterMediumStraight(point.ndc + vec2(0.0, pixel.y))));
+  vec2 change = min(before, after);
+  return change.x + change.y;
+}
+
 // The surface as the eye sees it, which may be under water.
 vec3 waterSeenFrom(WaterPoint point, vec3 color)
 {
