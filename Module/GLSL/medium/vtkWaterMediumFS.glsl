@@ -151,14 +151,14 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   return met;
 }
 
-// Light on what a ray through the water comes to, over that of calm water.
-float waterMediumLight(WaterPoint point, WaterMediumMet met, vec2 seen, vec3 dir, float way)
+// Light on what a ray through the water comes to, over that of calm water. The bed under the water's border is lit as if it
+// went on as deep: where the ray would meet it.
+float waterMediumLight(WaterPoint point, vec3 dir, float way)
 {
   vec4 end = way * (waterDirToEye * vec4(dir, 0.0));
   float w = 1.0 / waterPerW() + end.w;
   vec2 ndc = (point.ndc / waterPerW() + end.xy) / max(w, 1e-6); // beyond the picture's border, too
-  w = met.isUnderBorder ? waterMediumW(seen, met.depth) : w;
-  return waterCaustic(met.isUnderBorder ? (2.0 * seen - 1.0) / waterSceneScale : ndc, w, -way * dir.z, point.ndc);
+  return waterCaustic(ndc, w, -way * dir.z, point.ndc);
 }
 
 // What a refracted ray sees with the translucent things on its way; of the slot below.
@@ -194,11 +194,11 @@ vec3 waterTransmittedOpaque(WaterPoint point, vec3 dir)
     bool isSky = met.depth >= 1.0 || (!view.isMet && waterHasFloor());
     return isSky && waterIsSkyKnown() ? waterSky(dir) : color;
   }
-  float caustic = waterMediumLight(point, met, view.from, dir, ways.x);
+  float caustic = waterMediumLight(point, dir, ways.x);
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
   if (areTwo)
   {
-    caustic = waterMediumLight(point, met, view.to, dir, ways.y);
+    caustic = waterMediumLight(point, dir, ways.y);
     to = depthTo >= 1.0 ? waterDeepColor : waterAfter(caustic * to, ways.y);
     from = mix(from, to, view.share);
   }
