@@ -212,10 +212,15 @@ void vtkWaterProperty::GetSeaSlopes(double held[2], double leftOut[2]) const
 {
   this->UpdateSeaSlopes();
   const vtkWaterPropertySeaSlopes& known = this->Internal->SeaSlopes;
-  water_cascades_turn(&known.Sea, known.Beyond[0], held);
-  water_cascades_turn(&known.Sea, known.Beyond[known.Cascades.count], leftOut);
-  held[0] -= leftOut[0];
-  held[1] -= leftOut[1];
+  double all[3];
+  double shorter[3];
+  water_cascades_turn(&known.Sea, known.Beyond[0], all);
+  water_cascades_turn(&known.Sea, known.Beyond[known.Cascades.count], shorter);
+  for (int i = 0; i < 2; ++i)
+  {
+    held[i] = all[i] - shorter[i];
+    leftOut[i] = shorter[i];
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -237,14 +242,16 @@ double vtkWaterProperty::GetSlopeRMS() const
 //------------------------------------------------------------------------------
 void vtkWaterProperty::GetMeanSlopes(bool hidesWaves, double covariance[3]) const
 {
-  double held[2] = { 0.0, 0.0 };
-  double leftOut[2] = { 0.0, 0.0 };
-  if (this->Sea && !hidesWaves)
+  static const double none[2] = { 0.0, 0.0 };
+  const bool hasSea = this->Sea && !hidesWaves;
+  if (hasSea)
   {
-    this->GetSeaSlopes(held, leftOut);
+    this->UpdateSeaSlopes();
   }
+  const vtkWaterPropertySeaSlopes& known = this->Internal->SeaSlopes;
   water_secondary_slopes(this->Internal->Waves.data(),
-    hidesWaves ? 0 : this->Internal->Waves.size(), held, leftOut, this->SlopeVariance,
+    hidesWaves ? 0 : this->Internal->Waves.size(), hasSea ? known.Beyond[0] : none,
+    hasSea ? known.Sea.wind_dir_rad : 0.0, this->SlopeVariance,
     vtkMath::RadiansFromDegrees(this->SlopeVariance[2]), covariance);
 }
 

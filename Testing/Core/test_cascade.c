@@ -192,7 +192,7 @@ TEST(slopes_add_up)
   assert_true(beyond[0][0] > beyond[0][1]); // more along the wind
   for (size_t i = 0; i < cascades.count; ++i)
   {
-    double axes[2];
+    double axes[3];
     double own[2] = { 0.0, 0.0 };
     double left_out[2];
     water_tile_slopes(&cascades.tiles[i], &sea, own, left_out);
@@ -200,6 +200,16 @@ TEST(slopes_add_up)
     water_cascades_turn(&sea, held, axes);
     ASSERT_CLOSE(axes[0], own[0], 1e-5 * slope);
     ASSERT_CLOSE(axes[1], own[1], 1e-5 * slope);
+    // along the wind and across it the slopes do not depend on each other: turned back there is nothing between them
+    const double c = cos(2.0 * sea.wind_dir_rad);
+    const double s = sin(2.0 * sea.wind_dir_rad);
+    ASSERT_CLOSE(c * axes[2] - 0.5 * s * (axes[0] - axes[1]), 0.0, 1e-15);
+    double from[3];
+    double next[3];
+    water_cascades_turn(&sea, beyond[i], from);
+    water_cascades_turn(&sea, beyond[i + 1], next);
+    ASSERT_CLOSE(water_cascades_lean(from, next) * (axes[0] + axes[1]), axes[2], 1e-15);
+    ASSERT_CLOSE(water_cascades_lean(from, from), 0.0, 0.0);
   }
   ASSERT_CLOSE(water_cascades_height(&sea), height, 0.0);
   double up = 0.0;

@@ -78,6 +78,62 @@ TEST(glitter_keeps_the_light)
   ASSERT_CLOSE(sum, cos(0.6), 2e-3);
 }
 
+// What facets hide is Smith's closed form, in which the normal distribution is exact; in any azimuth, from the zenith to a
+// sun at the horizon.
+TEST(facets_hide_each_other_as_smith_says)
+{
+  const double covariance[3] = { 0.03, 0.02, 0.008 };
+  for (int turn = 0; turn < 8; ++turn)
+  {
+    const double c = cos(0.25 * pi * turn);
+    const double s = sin(0.25 * pi * turn);
+    const double deviation =
+      sqrt(c * c * covariance[0] + 2.0 * c * s * covariance[2] + s * s * covariance[1]);
+    for (double height = 0.5; height < 90.0; height += 0.5)
+    {
+      const double angle = height * pi / 180.0;
+      const double dir[3] = { c * cos(angle), s * cos(angle), sin(angle) };
+      const double nu = tan(angle) / (sqrt(2.0) * deviation);
+      const double hidden = 0.5 * (exp(-nu * nu) / (nu * sqrt(pi)) - erfc(nu));
+      ASSERT_CLOSE(water_glitter_hidden(dir, covariance), hidden, 5e-4 * (1.0 + hidden));
+    }
+  }
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  const double under[3] = { 0.6, 0.0, -0.8 };
+  const double calm[3] = { 0.0, 0.0, 0.0 };
+  const double low[3] = { 1.0, 0.0, 1e-300 };
+  ASSERT_CLOSE(water_glitter_hidden(up, covariance), 0.0, 0.0);
+  ASSERT_CLOSE(water_glitter_hidden(under, covariance), 0.0, 0.0);
+  ASSERT_CLOSE(water_glitter_hidden(low, calm), 0.0, 0.0);
+  assert_true(water_glitter_hidden(low, covariance) > 1e200);
+}
+
+// However low the sun is, the sea sends on no more light than it takes in; nor much less, though what
+// it hides is lost.
+TEST(waves_make_no_light)
+{
+  const double variance[2] = { 0.03, 0.03 };
+  for (double height = 4.0; height < 90.0; height += 10.0)
+  {
+    const double angle = height * pi / 180.0;
+    const double sun[3] = { cos(angle), 0.0, sin(angle) };
+    double sum = 0.0;
+    const double step = 0.01;
+    for (double polar = 0.5 * step; polar < 0.5 * pi; polar += step)
+    {
+      for (double turn = 0.0; turn < 2.0 * pi; turn += step)
+      {
+        const double eye[3] = { sin(polar) * cos(turn), sin(polar) * sin(turn), cos(polar) };
+        double cosine = 0.0;
+        const double radiance = water_glitter_radiance(sun, eye, 0.0, variance, &cosine);
+        sum += radiance * eye[2] * sin(polar) * step * step;
+      }
+    }
+    assert_true(sum < 1.001 * sun[2]);
+    assert_true(sum > 0.5 * sun[2]);
+  }
+}
+
 // Straight opposite the sun shine the level facets, at the sun's own angle; nothing shines when the
 // sun or the eye is under the horizon. The wind's axis is where the glitter is longer.
 TEST(glitter_is_where_the_mirror_is)
@@ -144,6 +200,7 @@ TEST(endless_slopes_have_no_density)
   }
 }
 
-TESTS(endless_slopes_have_no_density, slopes_are_cox_and_munks, density_has_its_moments,
+TESTS(facets_hide_each_other_as_smith_says, waves_make_no_light,
+  endless_slopes_have_no_density, slopes_are_cox_and_munks, density_has_its_moments,
   density_is_a_number_everywhere, glitter_keeps_the_light, glitter_is_where_the_mirror_is,
   bad_winds_are_refused, covariance_turns_the_variances)

@@ -306,8 +306,7 @@ TEST(slopes_are_those_of_the_waves)
 {
   const water_wave waves[3] = { { 0.1, 3.0, 0.3, 0.0, 0.0 }, { 0.05, 1.3, -1.1, 0.0, 0.0 },
     { 0.02, 0.4, 2.0, 0.0, 0.0 } };
-  const double held[2] = { 0.004, 0.007 };
-  const double left_out[2] = { 0.001, 0.003 };
+  const double sea[2] = { 0.02, 0.005 }; // along and across 30 degrees
   const double given[2] = { 0.01, 0.002 };
   double sum[3] = { 0.0, 0.0, 0.0 };
   dice from = dice_seeded(21);
@@ -327,10 +326,10 @@ TEST(slopes_are_those_of_the_waves)
   }
   double covariance[3];
   water_secondary_slopes(
-    waves, 3, held, left_out, given, acos(0.0), covariance); // given: along y first
-  assert_near(covariance[0], sum[0] + held[0] + left_out[0] + given[1], 1e-3);
-  assert_near(covariance[1], sum[1] + held[1] + left_out[1] + given[0], 1e-3);
-  assert_near(covariance[2], sum[2], 1e-3);
+    waves, 3, sea, acos(0.0) / 3.0, given, acos(0.0), covariance); // given: along y first
+  assert_near(covariance[0], sum[0] + 0.75 * sea[0] + 0.25 * sea[1] + given[1], 1e-3);
+  assert_near(covariance[1], sum[1] + 0.25 * sea[0] + 0.75 * sea[1] + given[0], 1e-3);
+  assert_near(covariance[2], sum[2] + sqrt(0.1875) * (sea[0] - sea[1]), 1e-3);
   assert_true(sum[0] > 0.01 && sum[1] > 0.01); // the tolerance is fine
 }
 

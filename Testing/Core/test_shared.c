@@ -43,7 +43,7 @@ TEST(slope_density_knows_the_covariance)
     exp(-0.7) / (2.0 * pi * sqrt(5.0)), 1e-16);
 }
 
-// Light rolls off: it is as it was up to 0.6, has no step or kink, grows for ever and stays below
+// Light rolls off: it is as it was up to 0.72, has no step or kink, grows for ever and stays below
 // white.
 TEST(highlights_roll_off)
 {
@@ -56,13 +56,14 @@ TEST(highlights_roll_off)
     assert_true(i == 0 || shown > last);
     const double slope = (shown - last) / 0.001;
     assert_true(i == 0 || (slope <= last_slope + 1e-9 && slope > last_slope - 0.01));
-    assert_true(light > 0.6 || fabs(shown - light) < 1e-15);
+    assert_true(light > 0.72 || fabs(shown - light) < 1e-15);
     last_slope = i == 0 ? 1.0 : slope;
     last = shown;
   }
-  ASSERT_CLOSE(water_shared_roll_off(10.0), 0.93, 0.01);
+  ASSERT_CLOSE(water_shared_roll_off(1.0), 0.87, 0.01);
+  ASSERT_CLOSE(water_shared_roll_off(10.0), 0.96, 0.01);
   assert_true(water_shared_roll_off(1e9) < 0.99);
-  assert_true(water_shared_roll_off(100.0) - water_shared_roll_off(10.0) > 8.0 / 255.0);
+  assert_true(water_shared_roll_off(100.0) - water_shared_roll_off(10.0) > 5.0 / 255.0);
 }
 
 // A shore's foam covers the waterline, ends where it is said to, and its bands travel towards the

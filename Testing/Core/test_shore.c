@@ -103,11 +103,16 @@ TEST(a_dry_cell_with_a_low_bed_is_behind_a_dyke)
   const double low[] = { 1.0, 4.0, 2.4 };
   const double high[] = { 2.0, 3.0, 2.5 };
   const double half[] = { 2.6, far_below, none };
-  assert_true(water_shore_is_dyke(levels, low, 3));
-  assert_false(water_shore_is_dyke(levels, high, 3)); // just reaches the level
-  assert_false(water_shore_is_dyke(levels, half, 3));
-  assert_true(water_shore_is_dyke(levels, half + 1, 2)); // no bed is known
-  assert_true(water_shore_is_dyke(levels + 1, high, 1)); // no level is
+  assert_true(water_shore_is_dyke(none, levels, low, 3, 0.0));
+  assert_false(water_shore_is_dyke(none, levels, high, 3, 0.0)); // just reaches the level
+  assert_false(water_shore_is_dyke(none, levels, half, 3, 0.0));
+  assert_true(water_shore_is_dyke(none, levels, half + 1, 2, 0.0)); // no bed is known
+  assert_true(water_shore_is_dyke(none, levels + 1, high, 1, 0.0)); // no level is
+  // a cell has its own bed, whatever those of its corners, and a film of water keeps nothing dry
+  assert_false(water_shore_is_dyke(2.6, levels, low, 3, 0.0));
+  assert_true(water_shore_is_dyke(2.4, levels, high, 3, 0.0));
+  assert_false(water_shore_is_dyke(2.4, levels, high, 3, 0.2));
+  assert_false(water_shore_is_dyke(2.4, levels, half + 1, 2, 0.2));
 }
 
 static void assert_corner(water_shore_corner corner, size_t from, size_t to, double share)

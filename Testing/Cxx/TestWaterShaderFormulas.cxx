@@ -260,6 +260,17 @@ std::vector<Formula> MakeScalars()
       return Outputs{ value, value, value, value };
     },
     LargestOf, false, 1e-32 }); // a power of 1e-37 over the least root of an area
+  formulas.push_back({ "area of facets", vtkWaterSlopes,
+    "vec4(waterFacingArea(testCase(0).x, testCase(0).y))", 2, 64.0,
+    [](Inputs& in) {
+      in[0] = Magnitude(1e-3, 1.0);
+      in[1] = Magnitude(1e-3, 1.0);
+    },
+    [](const Inputs& in) {
+      const double value = water_shared_facing_area(in[0], in[1]);
+      return Outputs{ value, value, value, value };
+    },
+    LargestOf });
   formulas.push_back({ "spread of glitter", vtkWaterSlopes,
     "vec4(waterGlitterSpread(testCase(0).x, testCase(0).y))", 2, 8.0,
     [](Inputs& in) {

@@ -60,6 +60,33 @@ def test_light_stands_still_where_things_stand_on_the_bed():
     wt.check_at_most("thing on the bed: pixels that change far from it", int(far.sum()), 20)
 
 
+def light_to_the_border(bed):
+    """Light on a level bed of that half width under a sheet of 6 m, seen from 20 degrees up to the sheet's far border."""
+    view = wt.View((160, 120), (0, 0, 0))
+    wt.add_actor(view.renderer, wt.box((0, 0, -2.0), (2 * bed, 2 * bed, 1)), (truth.GREY,) * 3, lit=False)
+    wt.add_scene_light(view.renderer, tuple(1000 * truth.Scene(WAVES, 1.5, 50.0).sun_direction()))
+    water = wt.add_water(view.renderer, None, (-6, 6, -6, 6), 0.0)
+    look = water.GetWaterProperty()
+    look.RefractionOn()
+    look.SetAbsorption(0, 0, 0)
+    look.SetScattering(0, 0, 0)
+    look.GlitterOff()
+    for wave in WAVES:
+        look.AddWave(*wave)
+    wt.place_camera(view.renderer, (0, -12, 6), (0, 3, 0), (0.1, 100))
+    is_seen = view.picture()[:, :, 0] > 0
+    return truth.shown(view, look), is_seen
+
+
+def test_light_goes_on_under_the_border():
+    """Where rays leave the water under its border, the bed is lit as if it went on: no stripes, and no seam."""
+    ends, is_seen = light_to_the_border(6.0)
+    goes_on, _ = light_to_the_border(30.0)
+    wt.check_at_least("contrast of the light", float(goes_on[is_seen].std()), 0.05)
+    rows = [float(np.abs(ends - goes_on)[row][is_seen[row]].mean()) for row in np.nonzero(is_seen.sum(axis=1) > 40)[0]]
+    wt.check_at_most("difference in a row of the picture", max(rows), 0.04)
+
+
 def test_light_is_a_function_of_time():
     """A time that is drawn again shows the same picture, whatever was drawn meanwhile."""
     scene = truth.Scene(WAVES, 3.0, 50.0, size=(160, 120))

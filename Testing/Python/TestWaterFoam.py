@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import water_test as wt
 from dark_water import SIZE, add_dark_water, check_refused, look_at
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 
 def places_across(height):
@@ -62,6 +63,48 @@ def test_far_foam_is_the_mean_of_near_foam(depth):
     wt.check_at_most("mean of near foam minus that of far foam", float(abs(means[0] - means[1])), 0.05)
 
 
+def winding_shore(size, foam=0.25):
+    """Black islands in dark water, from so far and so low that the foam of their shores is narrower than a pixel."""
+    view = wt.View(size, (0, 0, 0))
+    source = vtkPlaneSource()
+    source.SetOrigin(-200, -200, 0)
+    source.SetPoint1(200, -200, 0)
+    source.SetPoint2(-200, 200, 0)
+    source.SetResolution(80, 80)
+    source.Update()
+    bed = source.GetOutput()
+    points = bed.GetPoints()
+    for i in range(points.GetNumberOfPoints()):
+        x, y, _ = points.GetPoint(i)
+        points.SetPoint(i, x, y, 3 * np.sin(x / 17 + 0.5) * np.cos(y / 23) - 1)
+    wt.add_actor(view.renderer, bed, (0, 0, 0), lit=False)
+    wt.add_scene_light(view.renderer, (0, 0, 1))
+    look = add_dark_water(view).GetWaterProperty()
+    look.SetMetresPerUnit(1.0)
+    look.GlitterOff()
+    look.RefractionOn()
+    look.SetFoamDepth(foam)
+    look.SetFoamColor(1, 1, 1)
+    wt.place_camera(view.renderer, (0, -420, 40), (0, -40, 0), (50, 900))
+    return view.picture()[:, :, 0]
+
+
+def test_far_foam_of_a_shore_has_no_dots():
+    """Seen from afar the shore is no row of white pixels that a finer picture does not have, and as bright as there."""
+    coarse = winding_shore((160, 120))
+    fine = winding_shore((1280, 960)).reshape(120, 8, 160, 8).mean(axis=(1, 3))
+
+    def dots(picture):
+        around = np.pad(picture, 1, mode="edge")
+        sides = [around[1 + j:121 + j, 1 + i:161 + i] for j in (-1, 0, 1) for i in (-1, 0, 1) if i or j]
+        return int((picture - np.max(sides, axis=0) > 25).sum())
+
+    wt.check_at_least("finer picture: brightest pixel", float(fine.max()), 25)
+    wt.check_at_most("pixels that are over 25 brighter than all around them, more than in the finer picture",
+                     dots(coarse) - dots(fine), 0)
+    wt.check_at_most("light of the foam against the finer picture's, relative", abs(float(coarse.sum() / fine.sum()) - 1), 0.25)
+
+
 def test_near_foam_is_a_lace():
     """Nearly all of its pixels are foam or water, and both there are."""
     view, _ = foamy(8, 0.4)
@@ -82,7 +125,8 @@ def test_foam_moves_with_the_time_alone():
 
 @pytest.mark.parametrize("size", (1e-3, 1.0, 1e3, 1e6))
 def test_foam_that_fits_the_scene_is_as_wide_in_all_sizes(size):
-    """In automatic units the foam of a beach is a visible strip of the picture, whatever the beach measures."""
+    """In automatic units the foam of a beach is a visible strip of the picture, whatever the beach measures. In metres it is as
+    wide as it is: of a beach of kilometres, a part of a pixel."""
     widths = []
     for fits, units in ((True, "automatic"), (False, "automatic"), (True, "m")):
         view = wt.View((160, 120))
@@ -100,12 +144,14 @@ def test_foam_that_fits_the_scene_is_as_wide_in_all_sizes(size):
         wt.place_camera(view.renderer, (0, -0.01 * size, 1.6 * size), (0, 0, 0), (0.1 * size, 10 * size))
         foam = view.picture().astype(float)
         look.SetFoamDepth(0.0)
-        widths.append(float((np.abs(foam - view.picture()).max(axis=2) > 10).sum(axis=0).mean()))
+        change = np.abs(foam - view.picture()).max(axis=2)
+        widths.append(float((change > 10).sum(axis=0).mean()) if not widths else float(change.sum(axis=0).mean() / 255))
     wt.check_at_least("rows of foam, of 120", widths[0], 2.0)
     wt.check_at_most("and no more", widths[0], 10.0)
     wt.check_at_most("rows of 0.25 m in automatic units", widths[1], 1.0)
     if size >= 1e3:
-        wt.check_at_most("rows of 0.25 m in metres: nothing fits there", widths[2], 0.0)
+        row = 1.6 * size * 2 * np.tan(np.radians(15)) / 120
+        wt.check_at_most("rows of 0.25 m in metres", widths[2], 0.25 / np.tan(np.radians(6)) / row)
 
 
 def test_deep_water_round_a_thing_in_the_air_has_no_foam():

@@ -354,24 +354,27 @@ def test_a_distant_sea_does_not_shimmer(distant):
                       worse / shimmer, 1.5)
 
 
-def glitter_from(distance, random):
+def glitter_from(distance, random, intensity=0.6, view=(0, -1, 0.5), **settings):
     """Mean of 255 over pictures that are as high as 30 degrees of view, at random places and times."""
     made = wt.View((160, 120), (0, 0, 0))
     wt.add_scene_light(made.renderer, (0.1, 0.8, 0.55))
-    made.renderer.GetLights().GetItemAsObject(0).SetIntensity(0.6)  # no pixel is white
+    made.renderer.GetLights().GetItemAsObject(0).SetIntensity(intensity)  # no pixel is white
     water = wt.add_water(made.renderer, None, (-2e5, 2e5, -2e5, 2e5), 0.0)
     look = water.GetWaterProperty()
     look.SetDeepColor(0, 0, 0)
     look.SetFetch(2000.0)
+    look.SetMetresPerUnit(1.0)
     look.SeaOn()
+    for name, value in settings.items():
+        getattr(look, f"Set{name}")(value)
     camera = made.renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
     camera.SetParallelScale(distance * math.tan(math.radians(15)))
     away = max(distance, 50.0)
     means, brightest = [], 0
-    for _ in range(40 if distance < 2000 else 4):
+    for _ in range(40 if distance < 2000 and not settings.get("WaveGeometry") else 4):
         place = np.append(random.uniform(-500, 500, 2), 0)
-        camera.SetPosition(place + 2 * away * wt.unit((0, -1, 0.5)))
+        camera.SetPosition(place + 2 * away * wt.unit(view))
         camera.SetFocalPoint(place)
         camera.SetViewUp(0, 0, 1)
         camera.SetClippingRange(0.5 * away, 4 * away)
@@ -390,3 +393,20 @@ def test_a_glittering_sea_is_as_bright_from_near_and_far():
     shine = [glitter_from(distance, random) for distance in (10, 100, 1e3, 1e4, 1e5)]
     wt.check_at_most("glitter from 10 m to 100 km: largest deviation from the mean, %",
                      100 * float(np.abs(np.array(shine) / np.mean(shine) - 1).max()), 2.0)
+
+
+@pytest.mark.parametrize("direction, distance", ((45.0, 100), (135.0, 10)))
+def test_glitter_knows_where_an_oblique_wind_blows(direction, distance):
+    """Slopes that a pixel does not resolve are steeper along the wind than across it, whichever way that blows."""
+    seen = {"WindDirection": direction, "view": (0.1, -1, 0.45)}
+    near = glitter_from(distance, np.random.default_rng(5), 0.15, **seen) / 0.15
+    far = glitter_from(10000, np.random.default_rng(5), 0.8, **seen) / 0.8
+    wt.check_at_most(f"wind towards {direction:g} degrees: near glitter against far, relative", abs(near / far - 1), 0.03)
+
+
+@pytest.mark.parametrize("height", (0.3, 0.45))
+def test_displaced_waves_glitter_as_brightly(height):
+    """Displaced crests, which hide what is behind them, glitter as brightly as the same waves on a flat sheet."""
+    seen = {"Fetch": 20000.0, "WindSpeed": 12.0, "view": (0.1, -1, height)}
+    flat, displaced = (glitter_from(100, np.random.default_rng(7), 0.1, WaveGeometry=geometry, **seen) for geometry in (False, True))
+    wt.check_at_most(f"seen at a slope of {height:g}: displaced against flat, relative", abs(displaced / flat - 1), 0.05)

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyDa
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData, vtkDelaunay2D
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource, vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 from vtkwater import vtkWaterSurfaceFilter
 
@@ -137,6 +137,41 @@ def test_data_of_cells_end_at_the_bed(bed):
     wt.check_at_most("area off by, of a cell along the shore",
                      abs(area_of(surface) - wet_area(level)) / (2 * HALF) / edge, 0.02 if bed == "zb" else 0.05)
     wt.check_at_most("height off by", float(np.abs(places[:, 2] - level).max()), 1e-9)
+
+
+def test_round_banks_of_cells_have_no_holes():
+    """A dry cell whose bed just reaches the level is cut at the shore, and not left out, though its corners' beds, which are
+    means over the cells around them, lie lower where the bank is round."""
+    side = 60
+    source = vtkPlaneSource()
+    source.SetOrigin(-10, -10, 0)
+    source.SetPoint1(10, -10, 0)
+    source.SetPoint2(-10, 10, 0)
+    source.SetResolution(side, side)
+    source.Update()
+    mesh = source.GetOutput()
+    x, y = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)[:, :2].T
+    heights = 1.2 * np.sin(x / 2.3) * np.cos(y / 2.9) + 0.3 * np.sin(y / 1.1)
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 4)
+    bed = heights[corners].mean(axis=1)
+    add_array(mesh, "zb", bed, True)
+    add_array(mesh, "h", np.maximum(0.2 - bed, 0.0), True)
+    _, surface, _ = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    ends = vtk_to_numpy(surface.GetPolys().GetOffsetsArray())
+    ids = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
+    water = np.zeros((side, side))
+    for begin, end in zip(ends, ends[1:]):
+        px, py = (points_of(surface)[ids[begin:end], :2].astype(float).T + 10) * side / 20
+        area = 0.5 * abs(np.dot(px, np.roll(py, -1)) - np.dot(py, np.roll(px, -1)))
+        water[int(py.mean()), int(px.mean())] += area
+    z = heights.reshape(side + 1, side + 1)
+    under = np.zeros((side, side))
+    for u, v in np.ndindex(8, 8):
+        u, v = (u + 0.5) / 8, (v + 0.5) / 8
+        there = (1 - v) * ((1 - u) * z[:-1, :-1] + u * z[:-1, 1:]) + v * ((1 - u) * z[1:, :-1] + u * z[1:, 1:])
+        under += (there < 0.2) / 64
+    wt.check_at_least("cells at the shore", int(((under > 0) & (under < 1)).sum()), 200)
+    wt.check_at_most("largest part of a cell that lacks its water", float((under - water).max()), 0.2)
 
 
 def test_dry_land_behind_a_dyke_stays_dry():

@@ -3,8 +3,10 @@
 
 usage: clipped.py [PICTURE...]    default: all of them
 
-A pixel is the water's if it changes when the waters are hidden. It is clipped if
-all channels are 255; "glitter" leaves out those that are white without the sun's glitter, too. "Kept" is the light of
+A pixel is the water's if it changes when the waters are hidden. It is clipped if no channel is further than 3 from the
+brightest value that the roll-off of highlights shows, 0.99 of 255: there a pixel no longer tells how bright the light
+is, and an area of such pixels is as flat as a white one. "glitter" leaves out those that are white without the sun's
+glitter, too. "Kept" is the light of
 the water's pixels, the sum of their values, over what it is without the roll-off of highlights. Ends with 1 if more than
 1 % of the water's pixels are glitter that is clipped, or less than 95 % of the light is kept. Run it with a Python that
 has vtkwater. gallery.py --check, which the tests ExampleGallery_NAME run, asks the same of each picture that it makes.
@@ -18,6 +20,7 @@ import tempfile
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
+WHITE = 0.99 * 255 - 3  # of 255: what is brighter has no shape left (vtkWaterHighlights.glsl)
 LIMIT = 1.0  # % of the water's pixels
 SMALL_PX = 500  # a side: of larger windows, the light is measured in pictures of half their size
 LEAST_KEPT = 95.0  # % of the water's light
@@ -75,12 +78,12 @@ def measure(window, grabber, shown=None):
         return dry
 
     plain = picture(is_rendered=False) if shown is None else pixels_of(shown)  # it is in the window
-    is_white = (plain >= 255).all(axis=1)
+    is_white = (plain > WHITE).all(axis=1)
     glitter_count = 0
     if is_white.any():
         is_white &= (plain != picture_without_water()).any(axis=1)
         set_looks(has_glitter=False, rolls_off=False)
-        glitter_count = int((is_white & ~(picture() >= 255).all(axis=1)).sum())
+        glitter_count = int((is_white & ~(picture() > WHITE).all(axis=1)).sum())
         set_looks()
     # shares of light are those of a smaller picture, which takes a fraction of the time
     size = tuple(window.GetSize())

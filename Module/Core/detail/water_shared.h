@@ -22,7 +22,8 @@ double water_shared_haze_integral(double rate, double way);
 double water_shared_haze_over(
   double extinction, double diffuse, double fall, double depth, double way);
 double water_shared_slope_density(double xx, double yy, double xy, double area, double x, double y);
-double water_shared_glitter_spread(double eye_cosine, double facet4);
+double water_shared_facing_area(double cosine, double spread);
+double water_shared_glitter_spread(double seen, double facet4);
 // References of tests: nothing in the module calls them; shaders have their text.
 double water_shared_scattered_at(double extinction, double way, double part);
 double water_shared_scattered(double extinction, double from, double to);

@@ -40,6 +40,18 @@ void water_glitter_covariance(const double variance[2], double dir_rad, double c
   covariance[2] = c * s * (variance[0] - variance[1]);
 }
 
+double water_glitter_hidden(const double dir[3], const double covariance[3])
+{
+  const double along = covariance[0] * dir[0] * dir[0] + 2.0 * covariance[2] * dir[0] * dir[1] +
+    covariance[1] * dir[1] * dir[1];
+  if (!(dir[2] > 0.0) || !(along > 0.0))
+  {
+    return 0.0;
+  }
+  // the approximation of the normal distribution may be a little less than the cosine
+  return fmax(water_shared_facing_area(dir[2], sqrt(along)) / dir[2] - 1.0, 0.0);
+}
+
 double water_glitter_density(const double variance[2], const double slope[2])
 {
   // in units of the spreads, whose squares may vanish
@@ -72,6 +84,10 @@ double water_glitter_radiance(const double sun_dir[3], const double eye_dir[3], 
   const double s = sin(wind_dir_rad);
   const double turned[2] = { c * slope[0] + s * slope[1], c * slope[1] - s * slope[0] };
   const double tilt = facet[2] / length;
+  double covariance[3];
+  water_glitter_covariance(variance, wind_dir_rad, covariance);
+  const double hidden =
+    water_glitter_hidden(sun_dir, covariance) + water_glitter_hidden(eye_dir, covariance);
   return water_glitter_density(variance, turned) /
-    water_shared_glitter_spread(eye_dir[2], tilt * tilt * tilt * tilt);
+    water_shared_glitter_spread(eye_dir[2] * (1.0 + hidden), tilt * tilt * tilt * tilt);
 }

@@ -34,6 +34,18 @@ water_status water_glitter_mean_square(double wind_speed, double* mean_square);
 // dir_rad  of the first variance, from the first towards the second axis
 void water_glitter_covariance(const double variance[2], double dir_rad, double covariance[3]);
 
+// How much more of the facets that face a direction there is than is seen from there, of 1: with a
+// sun at the horizon, all of the light's way is full of waves. Waves between a facet and the sun, or
+// the eye, take the light away with the probability 1 / (1 + the sum of these of both).
+//
+// dir         unit length
+// covariance  of the slopes, xx, yy and xy
+//
+// 0 where the direction is not above the plane.
+// Source: Smith 1967, "Geometrical Shadowing of a Random Rough Surface" (heights and slopes that do
+// not depend on each other).
+double water_glitter_hidden(const double dir[3], const double covariance[3]);
+
 // Probability per unit of both slopes, Gaussian; the integral over all slopes is 1.
 //
 // variance  along two axes at right angles, both > 0
@@ -41,8 +53,9 @@ void water_glitter_covariance(const double variance[2], double dir_rad, double c
 double water_glitter_density(const double variance[2], const double slope[2]);
 
 // Radiance towards the eye per irradiance of the sun on a plane facing it (1/sr), for a surface
-// that reflects everything: density / (4 cos(eye) cos^4(facet)). Times Fresnel's reflectance at
-// facet_cosine it is the glitter. Shadowing of waves by waves is left out.
+// that reflects everything: density / (4 cos(eye) cos^4(facet)), less what waves hide of each other
+// (water_glitter_hidden). Times Fresnel's reflectance at facet_cosine it is the glitter. Light that
+// waves hide is lost: a second reflection is left out.
 //
 // sun_dir, eye_dir  from the water to the sun and to the eye, unit length, above the plane
 // wind_dir_rad      axis of the first variance, from the first towards the second axis

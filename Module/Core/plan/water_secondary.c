@@ -56,13 +56,17 @@ void water_secondary_view(
     mirrored->is_half_float ? WATER_COLOR_HALF_FLOAT : WATER_COLOR_EIGHT_BIT;
 }
 
-void water_secondary_slopes(const water_wave* waves, size_t count, const double held[2],
-  const double left_out[2], const double given[2], double dir_rad, double covariance[3])
+void water_secondary_slopes(const water_wave* waves, size_t count, const double sea[2],
+  double sea_dir_rad, const double given[2], double dir_rad, double covariance[3])
 {
   double sum[3];
+  double of_sea[3];
   water_glitter_covariance(given, dir_rad, sum);
-  sum[0] += held[0] + left_out[0];
-  sum[1] += held[1] + left_out[1];
+  water_glitter_covariance(sea, sea_dir_rad, of_sea);
+  for (int j = 0; j < 3; ++j)
+  {
+    sum[j] += of_sea[j];
+  }
   for (size_t i = 0; i < count; ++i)
   {
     const double steep = water_two_pi / waves[i].wavelength * waves[i].amplitude;

@@ -46,10 +46,10 @@ void water_secondary_view(
 // Variances xx, yy and xy of all slopes along the plane's axes: of checked waves by the sums of
 // (k A)^2 / 2, of a wind sea, and those given for what is too small for either.
 //
-// held, left_out  by the sea's tile, as water_tile_slopes has them; 0 without a sea
-// given           along and across dir_rad, as water_glitter_covariance has it
-void water_secondary_slopes(const water_wave* waves, size_t count, const double held[2],
-  const double left_out[2], const double given[2], double dir_rad, double covariance[3]);
+// sea    of all waves of a wind sea, along and across sea_dir_rad; 0 without one
+// given  along and across dir_rad, as water_glitter_covariance has it
+void water_secondary_slopes(const water_wave* waves, size_t count, const double sea[2],
+  double sea_dir_rad, const double given[2], double dir_rad, double covariance[3]);
 
 #ifdef __cplusplus
 }

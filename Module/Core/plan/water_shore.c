@@ -88,9 +88,12 @@ static double mean_of(const double* heights, size_t count)
   return known > 0 ? sum / (double)known : (double)NAN;
 }
 
-bool water_shore_is_dyke(const double* levels, const double* beds, size_t count)
+bool water_shore_is_dyke(
+  double bed, const double* levels, const double* beds, size_t count, double dry_depth)
 {
-  return !(mean_of(beds, count) >= mean_of(levels, count)); // also where one is not known
+  // beds of corners are means over the cells around them: on a rounded bank they lie lower
+  const double own = isfinite(bed) ? bed : mean_of(beds, count);
+  return !(own + dry_depth >= mean_of(levels, count)); // also where one is not known
 }
 
 bool water_shore_are_apart(double level, double other, double dry_depth)

@@ -20,6 +20,7 @@
 #define waterHazeIntegral water_shared_haze_integral
 #define waterHazeOver water_shared_haze_over
 #define waterSlopeDensity water_shared_slope_density
+#define waterFacingArea water_shared_facing_area
 #define waterGlitterSpread water_shared_glitter_spread
 #define waterRollOff water_shared_roll_off
 #define waterShoreFoam water_shared_shore_foam

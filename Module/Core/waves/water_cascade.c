@@ -156,12 +156,20 @@ void water_cascades_slopes(const water_cascades* cascades, const water_sea* sea,
   }
 }
 
-void water_cascades_turn(const water_sea* sea, const double along_wind[2], double along_axes[2])
+void water_cascades_turn(const water_sea* sea, const double along_wind[2], double along_axes[3])
 {
   const double c = cos(remainder(sea->wind_dir_rad, water_two_pi));
+  const double s = sin(remainder(sea->wind_dir_rad, water_two_pi));
   const double share = c * c;
   along_axes[0] = share * along_wind[0] + (1.0 - share) * along_wind[1];
   along_axes[1] = (1.0 - share) * along_wind[0] + share * along_wind[1];
+  along_axes[2] = c * s * (along_wind[0] - along_wind[1]);
+}
+
+double water_cascades_lean(const double from[3], const double beyond[3])
+{
+  const double sum = from[0] - beyond[0] + from[1] - beyond[1];
+  return sum > 0.0 ? (from[2] - beyond[2]) / sum : 0.0;
 }
 
 double water_cascades_longest(const water_cascades* cascades, size_t tile)

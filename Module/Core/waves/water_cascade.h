@@ -88,8 +88,14 @@ void water_cascades_turned(double turn[2][2], double slope[2]);
 void water_cascades_slopes(
   const water_cascades* cascades, const water_sea* sea, double beyond[][2]);
 
-// Such variances along the plane's axes.
-void water_cascades_turn(const water_sea* sea, const double along_wind[2], double along_axes[2]);
+// Such variances along the plane's axes: xx, yy and xy.
+void water_cascades_turn(const water_sea* sea, const double along_wind[2], double along_axes[3]);
+
+// Covariance xy of the slopes of a tile's own waves, of the sum of their variances along the axes.
+// Short waves go in all directions, long ones with the wind: tiles differ.
+//
+// from, beyond  of the waves from the tile on, and from the next one on
+double water_cascades_lean(const double from[3], const double beyond[3]);
 
 // The longest waves that a tile holds of its band, m: as long as the tile for the first.
 double water_cascades_longest(const water_cascades* cascades, size_t tile);

@@ -151,14 +151,14 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   return met;
 }
 
-// Light on what a ray through the water comes to, over that of calm water.
-float waterMediumLight(WaterPoint point, WaterMediumMet met, vec2 seen, vec3 dir, float way)
+// Light on what a ray through the water comes to, over that of calm water. The bed under the water's border is lit as if it
+// went on as deep: where the ray would meet it.
+float waterMediumLight(WaterPoint point, vec3 dir, float way)
 {
   vec4 end = way * (waterDirToEye * vec4(dir, 0.0));
   float w = 1.0 / waterPerW() + end.w;
   vec2 ndc = (point.ndc / waterPerW() + end.xy) / max(w, 1e-6); // beyond the picture's border, too
-  w = met.isUnderBorder ? waterMediumW(seen, met.depth) : w;
-  return waterCaustic(met.isUnderBorder ? (2.0 * seen - 1.0) / waterSceneScale : ndc, w, -way * dir.z, point.ndc);
+  return waterCaustic(ndc, w, -way * dir.z, point.ndc);
 }
 
 // What a refracted ray sees with the translucent things on its way; of the slot below.
@@ -194,11 +194,11 @@ vec3 waterTransmittedOpaque(WaterPoint point, vec3 dir)
     bool isSky = met.depth >= 1.0 || (!view.isMet && waterHasFloor());
     return isSky && waterIsSkyKnown() ? waterSky(dir) : color;
   }
-  float caustic = waterMediumLight(point, met, view.from, dir, ways.x);
+  float caustic = waterMediumLight(point, dir, ways.x);
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
   if (areTwo)
   {
-    caustic = waterMediumLight(point, met, view.to, dir, ways.y);
+    caustic = waterMediumLight(point, dir, ways.y);
     to = depthTo >= 1.0 ? waterDeepColor : waterAfter(caustic * to, ways.y);
     from = mix(from, to, view.share);
   }
@@ -230,6 +230,29 @@ float waterTransmittedDepth(WaterPoint point)
   vec2 uv = waterMediumPlace(point.ndc);
   float depth = waterMediumDepth(uv);
   return depth >= 1.0 || waterSide < 0.0 ? 1e9 : abs(waterMediumHeight(uv, depth));
+}
+
+// Depth of what the picture shows straight behind a place; far away: nothing.
+float waterMediumStraight(vec2 ndc)
+{
+  vec2 uv = waterMediumPlace(ndc);
+  float depth = waterMediumDepth(uv);
+  return depth >= 1.0 ? 1e9 : -waterMediumHeight(uv, depth);
+}
+
+// How much that depth changes over the pixel, m. To each side of a silhouette it jumps: the smaller change to
+// one of two neighbours is that of the bed.
+float waterTransmittedChange(WaterPoint point)
+{
+  waterMediumTop = point.height;
+  vec2 pixel = 2.0 * waterViewport.zw;
+  float here = waterMediumStraight(point.ndc);
+  vec2 before = abs(here - vec2(waterMediumStraight(point.ndc - vec2(pixel.x, 0.0)),
+    waterMediumStraight(point.ndc - vec2(0.0, pixel.y))));
+  vec2 after = abs(here - vec2(waterMediumStraight(point.ndc + vec2(pixel.x, 0.0)),
+    waterMediumStraight(point.ndc + vec2(0.0, pixel.y))));
+  vec2 change = min(before, after);
+  return change.x + change.y;
 }
 
 // The surface as the eye sees it, which may be under water.

@@ -16,3 +16,8 @@ float waterTransmittedDepth(WaterPoint point)
 {
   return 1e9; // not known
 }
+
+float waterTransmittedChange(WaterPoint point)
+{
+  return 0.0;
+}

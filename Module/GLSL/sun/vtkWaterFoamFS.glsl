@@ -12,6 +12,7 @@ uniform float waterFoamTurn;     // share of the time after which the foam is as
 const float WATER_FOAM_CELL = 0.8;   // m, of the larger bubbles; the smaller have a quarter of it
 const float WATER_FOAM_PATCH = 4.0;  // m, of patches with more and with less of it
 const float WATER_FOAM_SOFT = 0.08;  // over so much of the lace's values a thread fades
+const int WATER_FOAM_LOOKS = 4;      // at the foam of a pixel
 const float WATER_FOAM_PERIOD = 256.0; // cells, after which the pattern repeats
 
 // A number in [0, 1] for a cell of a grid.
@@ -51,17 +52,38 @@ float waterBubbles(vec2 place)
   return sqrt(nearest.y) - sqrt(nearest.x);
 }
 
+// The mean of the shore's foam over a pixel, which may be many times as wide as all of it: what lies in the middle of such
+// a pixel is foam or not, and a shore would be a row of white dots.
+//
+// depth   of the water, over the depth at which the foam ends
+// change  of that over the pixel
+float waterShoreFoamSeen(float depth, float change)
+{
+  float wide = max(change, 1e-3);
+  // the last pixel of the water has the foam of the first of the land, too
+  float start = depth < wide ? 0.0 : depth - 0.5 * wide;
+  float end = depth + 0.5 * wide;
+  float foamy = max(min(end, 1.0) - start, 0.0);
+  float cover = 0.0;
+  for (int i = 0; i < WATER_FOAM_LOOKS; ++i)
+  {
+    float part = (float(i) + 0.5) / float(WATER_FOAM_LOOKS);
+    cover += waterShoreFoam(start + part * foamy, waterFoamTurn);
+  }
+  // of the pixel, or where all of the water in it is foam of that: towards the land nothing is darker
+  float whole = end < wide ? mix(end, wide, clamp(end - 1.0, 0.0, 1.0)) : wide;
+  return min(cover / float(WATER_FOAM_LOOKS) * foamy / whole, 1.0);
+}
+
 // How much of the water foam covers there, its bubbles aside.
 float waterFoamCover(WaterPoint point, vec2 place, float pixel)
 {
   float cover = 0.0;
   if (waterFoamDepth > 0.0)
   {
-    float depth = waterTransmittedDepth(point) / waterFoamDepth;
-    if (depth < 1.0)
-    {
-      cover = waterShoreFoam(depth + 0.3 * (waterNoise(place / WATER_FOAM_PATCH) - 0.5) * depth, waterFoamTurn);
-    }
+    float perDepth = (0.85 + 0.3 * waterNoise(place / WATER_FOAM_PATCH)) / waterFoamDepth;
+    cover = waterShoreFoamSeen(
+      perDepth * waterTransmittedDepth(point), perDepth * waterTransmittedChange(point));
   }
   if (waterFoamJacobian > 0.0)
   {

@@ -48,6 +48,7 @@ struct WaterPoint
   vec3 normal;    // of the surface, of unit length
   vec2 tilt;      // slope of the surface without its waves, along the two axes
   vec4 variance;  // of the slopes along the two axes: within the pixel; taken by filters, not seen
+  float both;     // covariance of the slopes along the two axes, of all of these
   vec2 even;      // of that within the pixel, what changes evenly over it: several rays see it
   float jacobian; // distance of the surface's points relative to that at rest: 0 on a breaking crest
   vec3 start;     // where the reflection texture shows its calm reflection: u, v, depth
@@ -117,6 +118,7 @@ WaterPoint waterPoint()
   waterPlaceSlope(middle, point.across, point.down);
   point.place = middle + point.moved.x * point.across + point.moved.y * point.down;
   point.variance = vec4(waterSlopeVariance.xy, 0.0, 0.0);
+  point.both = waterSlopeVariance.z;
   point.even = vec2(0.0);
   point.jacobian = 1.0;
   vec4 clip = vec4(point.ndc, 2.0 * waterWindowDepth(point.ndc, point.moved) - 1.0, 1.0); // w cancels below

@@ -17,5 +17,6 @@ void waterRipple(inout WaterPoint point)
   vec2 slope = waterFlowingSlopes(
     point, vec3(point.ray.xy, waterSide * point.ray.z), point.variance, point.jacobian);
   point.even = waterEven;
+  point.both += waterBoth;
   point.normal = normalize(vec3(-waterSide * slope - point.tilt, 1.0));
 }

@@ -5,7 +5,8 @@
 // take all looks; of the others a texel is about a pixel, or many. As many looks for all pixels, at tiles that depend on
 // the pixel, and no branch or loop: software renderers take longer for these than for a look.
 
-uniform vec4 waterSeaBands[4]; // slope variance of the waves from a tile on: xx, yy; longest wave of that tile
+uniform vec4 waterSeaBands[4]; // slope variance of the waves from a tile on: xx, yy; longest wave of that tile; xy
+uniform vec3 waterSeaLeans;    // xy of a tile's own waves, of the sum of their xx and yy
 
 const float WATER_SEA_FADES = 0.5; // a tile's waves are resolved while the longest are as long as a pixel, and fade from
 
@@ -17,7 +18,7 @@ struct WaterSeaTile
   vec4 place;  // of waterSeaTiles
   float layer;
   float part;  // of it that is seen
-  vec2 hidden; // slope variance of what is not
+  vec3 hidden; // slope variance of what is not: xx, yy, xy
   float warp;  // 1: its places are warped
   float gain;  // of waterSeaGains
 };
@@ -29,7 +30,8 @@ struct WaterSeaTile
 void waterAddTile(WaterSeaTile tile, int looks, vec2 place, vec2 across, vec2 down, vec2 warp, mat2 turn,
   inout vec2 slope, inout vec4 variance, inout vec3 bent)
 {
-  variance.xy += tile.hidden;
+  variance.xy += tile.hidden.xy;
+  waterBoth += tile.hidden.z;
   if (!waterTileIsRead(tile.part))
   {
     return;
@@ -40,7 +42,10 @@ void waterAddTile(WaterSeaTile tile, int looks, vec2 place, vec2 across, vec2 do
   vec4 within = vec4(0.0);
   vec2 own = waterTileSlope(waterSea, middle, wide, high, 2.0 * tile.place.w, looks, within);
   slope += tile.gain * tile.part * (own + tile.warp * (turn * own));
-  variance += tile.part * tile.part * within;
+  float seen = tile.part * tile.part;
+  variance += seen * within;
+  float lean = tile.layer > 1.5 ? waterSeaLeans.z : tile.layer > 0.5 ? waterSeaLeans.y : waterSeaLeans.x;
+  waterBoth += seen * lean * dot(within, vec4(1.0));
   bent += tile.gain * tile.part * waterSeaBend(waterSea, middle, wide, high, 2.0 * tile.place.w, looks);
 }
 
@@ -50,7 +55,7 @@ WaterSeaTile waterSeaTile(int last, int before)
   int i = last - before;
   // numbers known early: software renderers are slow with a place that is known late
   vec4 place = i == 2 ? waterSeaTiles[2] : i == 1 ? waterSeaTiles[1] : waterSeaTiles[0];
-  return WaterSeaTile(place, float(max(i, 0)), i < 0 ? 0.0 : 1.0, vec2(0.0), i > 0 ? 1.0 : 0.0,
+  return WaterSeaTile(place, float(max(i, 0)), i < 0 ? 0.0 : 1.0, vec3(0.0), i > 0 ? 1.0 : 0.0,
     waterSeaGains[max(i, 0)]);
 }
 
@@ -63,17 +68,17 @@ vec2 waterSeaSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance, inou
   float pixel = max(length(across), length(down));
   int last = 0;
   vec4 band = waterSeaBands[0];
-  vec2 beyond = waterSeaBands[1].xy;
+  vec3 beyond = waterSeaBands[1].xyw;
   for (int i = 1; i < 3; ++i)
   {
     bool isResolved = i < waterSeaCount && pixel < waterSeaBands[i].z;
     last = isResolved ? i : last;
     band = isResolved ? waterSeaBands[i] : band;
-    beyond = isResolved ? waterSeaBands[i + 1].xy : beyond;
+    beyond = isResolved ? waterSeaBands[i + 1].xyw : beyond;
   }
   WaterSeaTile tile = waterSeaTile(last, 0);
   tile.part = 1.0 - smoothstep(WATER_SEA_FADES * band.z, band.z, pixel);
-  tile.hidden = beyond + (1.0 - tile.part * tile.part) * (band.xy - beyond);
+  tile.hidden = beyond + (1.0 - tile.part * tile.part) * (band.xyw - beyond);
   vec2 slope = vec2(0.0);
   mat2 turn;
   vec2 warp = waterSeaWarped(place, turn);

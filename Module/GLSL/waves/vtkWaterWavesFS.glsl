@@ -12,6 +12,7 @@ const vec2 WATER_EVEN = vec2(1.0, 6.0);
 // Of the last place: of the slope variances within the pixel, those of such waves; the slope by the point at
 // rest, and d place / d rest (xx, xy, yy).
 vec2 waterEven = vec2(0.0);
+float waterBoth = 0.0; // covariance xy of the slopes of which the variances are not seen, or within the pixel
 vec2 waterGradient = vec2(0.0);
 vec3 waterBent = vec3(1.0, 0.0, 1.0);
 
@@ -27,14 +28,17 @@ vec2 waterSineSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance)
   vec2 gradient = vec2(0.0);
   vec2 unseen = vec2(0.0);
   waterEven = vec2(0.0);
+  waterBoth = 0.0;
   for (int i = 0; i < waterWaveCount; ++i)
   {
     vec4 wave = texelFetch(waterWaves, ivec2(0, i), 0);
     vec2 turn = vec2(dot(wave.xy, across), dot(wave.xy, down));
     float part = exp(-dot(turn, turn) / 24.0);
     vec2 steep = wave.z * wave.xy;
-    vec2 within = 0.5 * (1.0 - part * part) * steep * steep;
+    float left = 0.5 * (1.0 - part * part);
+    vec2 within = left * steep * steep;
     unseen += within;
+    waterBoth += left * steep.x * steep.y;
     waterEven += waterEvenPart(turn) * within;
     gradient += part * cos(dot(wave.xy, place) + wave.w) * steep;
   }
@@ -49,6 +53,8 @@ vec2 waterSineSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance)
 // variance      the rest of the wave's variance is added to the first two, as in WaterPoint
 // jacobian       area over that at rest
 // ray           the view ray, the third along the plane's own normal; 0: not a place of the pixel
+//
+// Long because all of its sums change in one loop: software renderers go through a loop once at least.
 vec2 waterSlope(
   vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float jacobian)
 {
@@ -71,6 +77,7 @@ vec2 waterSlope(
     gradient = vec2(0.0);
     unseen = vec2(0.0);
     waterEven = vec2(0.0);
+    waterBoth = 0.0;
     bent = vec3(1.0, 0.0, 1.0);
     for (int i = 0; i < waterWaveCount; ++i)
     {
@@ -80,8 +87,10 @@ vec2 waterSlope(
       vec2 turn = vec2(dot(k, across), dot(k, down));
       float part = exp(-dot(turn, turn) / 24.0);
       float seen = wave.z * part;
-      vec2 within = 0.5 * (1.0 - part * part) * wave.z * wave.z * k * k;
+      float left = 0.5 * (1.0 - part * part) * wave.z * wave.z;
+      vec2 within = left * k * k;
       unseen += within;
+      waterBoth += left * k.x * k.y;
       waterEven += waterEvenPart(turn) * within;
       float angle = dot(k, rest) + wave.w;
       float moving = waterMoving(wave.z, seen, k);

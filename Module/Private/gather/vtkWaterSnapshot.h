@@ -73,7 +73,7 @@ struct vtkWaterLook
   int Output = 0;
   water_sea Sea = water_sea(); // in use if Has.has_sea
   water_cascades Cascades = water_cascades();
-  double SeaBeyond[WATER_CASCADES_MAX + 1][2] = {}; // slope variances from a tile on, of the axes
+  double SeaBeyond[WATER_CASCADES_MAX + 1][3] = {}; // slope variances from a tile on: xx, yy, xy
   double SeaChoppiness = 0.0;
   double WhitecapJacobian = 0.0;             // crests of the sea are white below it
   water_old_foam OldFoam = water_old_foam(); // that such crests have left

@@ -257,6 +257,7 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
   const bool areLevelsInDoubt = given.Level && given.Bed && !given.Depth && !given.IsBedOfCells;
   std::vector<double> corners;
   this->IsCellWet.assign(static_cast<size_t>(mesh->GetNumberOfCells()), 0);
+  this->CellBeds.resize(this->IsCellWet.size());
   vtkWaterForEachCell(
     mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
       Mean own;
@@ -270,6 +271,7 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
           hasBed ? water_shore_given(bed) : vtkMath::Nan(),
           given.Depth ? water_shore_given(givenDepths[cell]) : vtkMath::Nan(), given.DryDepth);
       this->IsCellWet[static_cast<size_t>(cell)] = column.is_wet;
+      this->CellBeds[static_cast<size_t>(cell)] = water_shore_known(column.bed);
       if (areLevelsInDoubt)
       {
         corners.clear();
@@ -438,7 +440,8 @@ void vtkWaterColumns::FindDykes(vtkPolyData* mesh)
         std::for_each(points, points + count,
           [&areUneven](vtkIdType point) { areUneven[static_cast<size_t>(point)] = 1; });
       }
-      if (!isWet && water_shore_is_dyke(levels.data(), beds.data(), levels.size()))
+      if (!isWet && water_shore_is_dyke(this->CellBeds[static_cast<size_t>(cell)], levels.data(),
+                      beds.data(), levels.size(), this->DryDepth))
       {
         this->Dykes.push_back(cell);
       }

@@ -96,6 +96,7 @@ private:
   std::vector<double> Beds;
   std::vector<char> IsWet;     // points: the bed alone says where the water ends
   std::vector<char> IsCellWet; // of data of cells; else empty
+  std::vector<double> CellBeds; // the same
   water_heights_faces Faces = {};
   std::vector<vtkIdType> Dykes;
   vtkWaterDivides Divides;

@@ -374,6 +374,10 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
   uniforms::Set3(program, "waterSunColor", plan.sun_color);
   uniforms::Set3(
     program, "waterSlopeVariance", this->Drawn.IsSecondary ? look.MeanSlopes : variance);
+  uniforms::Set3(program, "waterAllVariance", look.MeanSlopes);
+  uniforms::Set(
+    program, "waterSunHidden", water_glitter_hidden(plan.sun_dir, look.MeanSlopes));
+  uniforms::Set(program, "waterWavesAreDrawn", this->Has(WATER_FEATURE_DISPLACED) ? 1 : 0);
   uniforms::Set(program, "waterFoamDepth", look.FoamDepth);
   uniforms::Set(program, "waterFoamJacobian", look.FoamJacobian);
   uniforms::Set3(program, "waterFoamColor", look.FoamColor);
@@ -488,11 +492,15 @@ void vtkWaterSurfaceShader::SetSeaParameters(vtkShaderProgram* program)
   const double* origin = this->Drawn.View ? this->Drawn.View->origin_xy : seen;
   double tiles[WATER_CASCADES_MAX][4] = {};
   double bands[WATER_CASCADES_MAX + 1][4] = {};
+  double leans[WATER_CASCADES_MAX] = {};
   for (size_t i = 0; i <= WATER_CASCADES_MAX; ++i)
   {
-    std::copy_n(look.SeaBeyond[std::min(i, cascades.count)], 2, bands[i]);
+    const double* from = look.SeaBeyond[std::min(i, cascades.count)];
+    std::copy_n(from, 2, bands[i]);
+    bands[i][3] = from[2];
     if (i < cascades.count)
     {
+      leans[i] = water_cascades_lean(from, look.SeaBeyond[i + 1]);
       water_tile tile = cascades.tiles[i];
       tile.length /= look.MetresPerUnit;
       water_tile_place(&tile, origin[0], origin[1], tiles[i]);
@@ -510,6 +518,7 @@ void vtkWaterSurfaceShader::SetSeaParameters(vtkShaderProgram* program)
   uniforms::Set4s(program, "waterSeaWarps", WATER_CASCADE_WARPS, warps);
   uniforms::Set4s(program, "waterSeaTiles", WATER_CASCADES_MAX, tiles);
   uniforms::Set4s(program, "waterSeaBands", WATER_CASCADES_MAX + 1, bands);
+  uniforms::Set3(program, "waterSeaLeans", leans);
   const bool isMoved = program->IsUniformUsed("waterAxesToClip"); // of the vertices
   const double chop[2] = { isMoved ? look.SeaChoppiness : -1.0, 1.0 };
   uniforms::Set2(program, "waterSeaChop", chop);
