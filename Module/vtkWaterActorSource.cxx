@@ -246,8 +246,8 @@ void vtkWaterActor::Internals::SetIsDrawing(bool isDrawing)
 
 namespace
 {
-// Water to the horizon reaches beyond all that is under it. With the picture alone, what hides a ray hides a bed as likely as
-// deep water.
+// Water to the horizon reaches beyond all that is under it. With the picture alone, what hides a
+// ray hides a bed as likely as deep water.
 bool IsOpen(const vtkWaterSnapshot& water)
 {
   return water.Look.Bed == WATER_UNITS_BED_NONE ||

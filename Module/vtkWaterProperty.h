@@ -107,9 +107,9 @@ public:
    * the picture and without everything on the near side of the water's plane. It is rendered when
    * the camera or the scene has changed, not when only the waves have. It shows cube axes and polar
    * axes, but no other labels. If the GPU has no memory for it, PICTURE is used. AUTOMATIC:
-   * OWN_VIEW if the water reaches to the horizon (vtkWaterActor::SheetToHorizon, or SheetToAutomatic
-   * in open water), and the camera is above the surface and looks down by less than 30 degrees;
-   * otherwise PICTURE. Needs Refraction. Default is PICTURE.
+   * OWN_VIEW if the water reaches to the horizon (vtkWaterActor::SheetToHorizon, or
+   * SheetToAutomatic in open water), and the camera is above the surface and looks down by less
+   * than 30 degrees; otherwise PICTURE. Needs Refraction. Default is PICTURE.
    */
   void SetRefractionSource(int source);
   vtkGetMacro(RefractionSource, int);
