@@ -121,9 +121,9 @@ def gpus_of(file):
     return (f"Measured on one host with several GPUs ({measured['gpu']}): {first['triangles'] / 1e6:.0f} million "
             f"triangles in {first['props']} props, {first['size'][0]} x {first['size'][1]} pixels. Times are medians of "
             f"{first['frames']} frames, each with a new view, on the slowest rank. \"Dry\" means without water. \"% of "
-            "pixels off\" is the share of pixels that differ from the picture of a single process. \"Parts\": each rank "
-            "shows only its own part, and the water joins the mirrored view. \"Composited\": "
-            "`vtkCompositedSynchronizedRenderers` also composites the picture. Bytes and messages are those of the "
+            "pixels off\" is the share of pixels that differ from the picture of a single process. \"Parts\": each rank's "
+            "picture shows only its own part of the scene, but the mirrored view is composited from all ranks. "
+            "\"Composited\": `vtkCompositedSynchronizedRenderers` also composites the picture. Bytes and messages are those of the "
             "water. The ranks are processes that communicate over sockets. The first measurement is repeated at the end, to "
             "show the effect of the machine's other load.\n\n" + table(head, rows))
 
