@@ -77,7 +77,7 @@ $memory
 50 lakes of one mesh at 50 levels, 6 of them in view, take $lakes_ms ms per frame with $lakes_views mirrored views. 6 waters that are placed by hand take $placed_ms ms with $placed_views views (ratio of the work $lakes_ratio). Pixels that differ: $lakes_pixels.
 
 Values of $places random places of a coloured surface, read back from the picture's pixels with optics off, differ from
-the data by at most $color_error steps of the table.
+the data by at most $color_error steps of the colour table.
 """
 
 
