@@ -229,6 +229,14 @@ TEST(top_is_the_highest_drawn_corner)
   ASSERT_CLOSE(plan_of(&scene, NULL).reflection_top, 0.0, 0.0);
 }
 
+// Rays end above the top, or rounding would tell whether they meet what lies there.
+TEST(rays_end_above_the_top)
+{
+  ASSERT_CLOSE(water_lookup_end(3.0), 3.3, 1e-12);
+  ASSERT_CLOSE(water_lookup_end(0.0), 0.0, 0.0);
+  assert_true(isinf(water_lookup_end((double)INFINITY)));
+}
+
 // VTK's default environment has the world's axes; with +z up and +x right, back is -y.
 TEST(environment_has_its_own_axes)
 {
@@ -475,11 +483,11 @@ TEST(a_corner_on_the_horizon_is_where_it_crosses)
   }
 }
 
-TESTS(a_corner_on_the_horizon_is_where_it_crosses, waterline_follows_from_heights_of_texels,
-  foam_comes_back, pixel_of_a_place_leads_back_to_it, what_is_under_water_is_under_the_horizon,
-  horizon_of_a_level_camera, directions_lead_to_the_pictures_of_points_along_them,
-  depth_at_infinity_is_where_rays_end, waves_use_the_whole_map,
-  guard_band_widens_the_map_about_its_middle, guard_band_follows_the_waves,
+TESTS(rays_end_above_the_top, a_corner_on_the_horizon_is_where_it_crosses,
+  waterline_follows_from_heights_of_texels, foam_comes_back, pixel_of_a_place_leads_back_to_it,
+  what_is_under_water_is_under_the_horizon, horizon_of_a_level_camera,
+  directions_lead_to_the_pictures_of_points_along_them, depth_at_infinity_is_where_rays_end,
+  waves_use_the_whole_map, guard_band_widens_the_map_about_its_middle, guard_band_follows_the_waves,
   top_is_the_highest_drawn_corner, environment_has_its_own_axes,
   sun_is_seen_in_the_axes_of_the_plane, depth_of_the_map_tells_heights,
   mirrored_view_reaches_down_into_troughs, mirrored_view_begins_at_the_lowest_point)

@@ -370,3 +370,30 @@ def test_a_wall_is_reflected_down_to_its_waterline(is_software, monkeypatch):
     foot = np.where(mask, rows, -1).max(axis=0)  # the first row is the lowest
     off = np.abs(shown[foot, np.arange(mask.shape[1])] - (160, 40, 40)).max(axis=1)
     wt.check_at_most("columns in which the water at the wall's foot is not the wall's colour, %", 100 * (off > 2).mean(), 0)
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_what_lies_at_the_top_is_reflected(side):
+    """A flat ceiling is the highest thing, or a flat bed the lowest for an eye under water: rays end there, and meet it.
+
+    With a ball beyond it, which the mirrored view shows and no ray of the pixels meets, the picture is the same.
+    """
+    pictures = []
+    for has_ball in (False, True):
+        view = wt.View((240, 180))
+        view.renderer.SetBackground(0.2, 0.4, 0.9)
+        flat = vtkPlaneSource()
+        flat.SetOrigin(-30, -30, 3 * side)
+        flat.SetPoint1(30, -30, 3 * side)
+        flat.SetPoint2(-30, 30, 3 * side)
+        flat.Update()
+        wt.add_actor(view.renderer, flat.GetOutput(), (0.9, 0.7, 0.4), lit=False)
+        if has_ball:
+            wt.add_actor(view.renderer, wt.sphere((0, 29, 5 * side), 0.1), (1, 0, 0), lit=False)
+        water = wt.add_water(view.renderer, sheet=(-30, 30, -30, 30))
+        water.GetWaterProperty().AddWave(0.05, 2, 20)
+        wt.place_camera(view.renderer, (0, -6, 0.4 * side), (0, 4, 0.3 * side), (0.05, 80))
+        pictures.append(view.picture())
+    share = (np.abs(pictures[0].astype(int) - pictures[1]).max(axis=2) > 40).mean()
+    wt.check_at_most(f"side {side}: share of pixels that a ball beyond the flat thing changes", share, 0.005)
+    wt.finish()
+

@@ -12,6 +12,8 @@ static const double horizon_margin_px = 2.0;
 
 static const double dome_height = 0.25; // over the plane, of a dome's widest side; land is lower
 
+static const double above_top = 0.1; // of the top: texels are coarse where rays are low
+
 static const int few_rays = 4; // as WATER_FEW_RAYS of vtkWaterRaysFS.glsl
 
 static const double foam_pattern = 2048.0; // m, after which all of its cells repeat
@@ -338,6 +340,11 @@ double water_lookup_top(const water_plane* plane, const water_prop* props, size_
     }
   }
   return top;
+}
+
+double water_lookup_end(double top)
+{
+  return (1.0 + above_top) * top;
 }
 
 double water_lookup_bottom(const water_plane* plane, const water_prop* props, size_t prop_count)

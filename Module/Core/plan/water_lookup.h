@@ -148,6 +148,12 @@ double water_lookup_bottom(const water_plane* plane, const water_prop* props, si
 double water_lookup_top(const water_plane* plane, const water_prop* props, size_t prop_count,
   const water_cull_reason* reasons);
 
+// Height above a plane at which a ray ends, above everything that it can meet. A flat bed or
+// ceiling lies at the top itself, where rounding would decide whether the ray meets it.
+//
+// top  as of water_lookup_top, or infinite
+double water_lookup_end(double top);
+
 // Smallest difference between the colours of two neighbouring pixels at which both get that many
 // rays: a share of white, 1 / (4 rays). Smaller differences are not worth the rays.
 //

@@ -303,7 +303,7 @@ void vtkWaterSurfaceShader::SetReflectionParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterSlack",
     water_waves_slack(std::max(look.WaveHeightMax, this->Water->Mesh.Reach)));
   const double top = this->Has(WATER_FEATURE_SKY_VIEW) ? plan.rest_top : plan.reflection_top;
-  uniforms::Set(program, "waterReflectionTop", std::min(top, kFarUp));
+  uniforms::Set(program, "waterReflectionTop", std::min(water_lookup_end(top), kFarUp));
   uniforms::Set(program, "waterReflectionZInfinity", plan.reflection_z_infinity);
   uniforms::Set2(program, "waterReflectionTolerance", plan.reflection_tolerance);
   uniforms::Set(program, "waterSteps", std::min(look.RayTraceSteps, this->Drawn.MostSteps));
