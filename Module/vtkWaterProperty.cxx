@@ -123,6 +123,11 @@ void vtkWaterProperty::SetFoamStretch(double stretch)
 void vtkWaterProperty::SetShoreSoftness(double depth)
 {
   vtkWaterSetInRange(ShoreSoftness, depth, 0.0, std::numeric_limits<double>::max());
+  if (this->ShoreSoftness == depth && !this->HasShoreSoftness)
+  {
+    this->HasShoreSoftness = true;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

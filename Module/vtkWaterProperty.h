@@ -259,7 +259,8 @@ public:
   ///@{
   /**
    * Depth over which the reflection fades in at a shore, m: finite and not negative. Only with
-   * Refraction, which provides the depth. Default is 0.05.
+   * Refraction, which provides the depth. Default is 0.05, or a tenth of the depth to which the
+   * scene reaches below the water if that is less. A value that is set is used as it is.
    */
   void SetShoreSoftness(double depth);
   vtkGetMacro(ShoreSoftness, double);
@@ -941,6 +942,7 @@ private:
   double MetresPerUnit = 1.0;
   double VerticalExaggeration = 1.0;
   double ShoreSoftness = 0.05;
+  bool HasShoreSoftness = false; // it is set
   double DomePortRadius = 0.0;
   int ReflectionSource = SCENE;
   bool Glitter = true;

@@ -27,6 +27,7 @@ void vtkWaterProperty::DeepCopy(vtkWaterProperty* other)
   this->MetresPerUnit = other->MetresPerUnit;
   this->VerticalExaggeration = other->VerticalExaggeration;
   this->ShoreSoftness = other->ShoreSoftness;
+  this->HasShoreSoftness = other->HasShoreSoftness;
   this->DomePortRadius = other->DomePortRadius;
   this->ReflectionSource = other->ReflectionSource;
   this->Glitter = other->Glitter;

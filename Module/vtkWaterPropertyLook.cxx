@@ -64,6 +64,7 @@ void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
   std::copy_n(this->Internal->Extinction, 3, look.Extinction);
   look.RefractionSource = static_cast<water_refraction_source>(this->RefractionSource);
   look.ShoreSoftness = this->ShoreSoftness;
+  look.HasShoreSoftness = this->HasShoreSoftness;
   look.DomePortRadius = this->DomePortRadius;
   look.Caustics = this->Caustics;
   look.LightShafts = this->LightShafts;

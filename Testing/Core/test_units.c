@@ -81,6 +81,10 @@ TEST(foam_is_deep_enough_for_the_scene)
 {
   ASSERT_CLOSE(water_units_show_foam(0.25, 40.0), 0.25, 0.0);
   ASSERT_CLOSE(water_units_show_foam(0.25, 1000.0), 2.5, 1e-12);
+  ASSERT_CLOSE(water_units_soften(0.05, 4.0), 0.05, 0.0);
+  ASSERT_CLOSE(water_units_soften(0.05, 0.2), 0.02, 1e-15);
+  ASSERT_CLOSE(water_units_soften(0.05, 0.0), 0.05, 0.0);
+  ASSERT_CLOSE(water_units_soften(0.05, (double)INFINITY), 0.05, 0.0);
   ASSERT_CLOSE(water_units_show_foam(0.25, (double)INFINITY), 0.25, 0.0);
   ASSERT_CLOSE(water_units_show_foam(0.25, (double)NAN), 0.25, 0.0);
 }

@@ -395,5 +395,4 @@ def test_what_lies_at_the_top_is_reflected(side):
         pictures.append(view.picture())
     share = (np.abs(pictures[0].astype(int) - pictures[1]).max(axis=2) > 40).mean()
     wt.check_at_most(f"side {side}: share of pixels that a ball beyond the flat thing changes", share, 0.005)
-    wt.finish()
 

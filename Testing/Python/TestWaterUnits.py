@@ -301,3 +301,21 @@ def test_heights_of_waves_do_not_ask_the_scene_again():
     wt.check_equal("before the next frame", water.GetWaveHeight(0.3, 0.2), before)
     view.picture()
     wt.check_equal("after it", water.GetWaveHeight(0.3, 0.2) == before, False)
+
+
+def test_small_things_have_a_reflection():
+    """A ball of 2 cm in clear water, as dark for its size as that of a ball of 20 m, looks like this."""
+    pictures = []
+    for radius in (0.01, 10.0):
+        view = wt.View((240, 180))
+        view.renderer.SetBackground(0.9, 0.9, 0.9)
+        wt.add_actor(view.renderer, wt.sphere((0, 0, 0), radius), (1, 0.5, 0.2), lit=False)
+        water = wt.add_water(view.renderer, sheet=(-20 * radius, 20 * radius, -20 * radius, 20 * radius), reflectance=0.5)
+        look = water.GetWaterProperty()
+        look.RefractionOn()
+        look.SetDeepColor(0.1, 0.2, 0.3)
+        look.SetAbsorption(2 / radius, 2 / radius, 2 / radius)
+        wt.place_camera(view.renderer, (4 * radius, -5 * radius, 1.2 * radius), (0, 0, 0), (0.1 * radius, 60 * radius))
+        pictures.append(view.picture().astype(int))
+    share = (np.abs(pictures[0] - pictures[1]).max(axis=2) > 10).mean()
+    wt.check_at_most("share of pixels in which a small ball differs from a large one", share, 0.02)

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+static const double softest = 0.1;   // of the depth of the bed
 static const double smallest = 1e-9; // metres of a unit
 static const double largest = 1e9;
 static const double waves_across = 400.0;
@@ -76,6 +77,11 @@ void water_units_dim(const double extinction[3], double bed_depth, double diagon
 double water_units_show_foam(double depth, double diagonal)
 {
   return diagonal > 0.0 && isfinite(diagonal) ? fmax(depth, diagonal / waves_across) : depth;
+}
+
+double water_units_soften(double depth, double bed_depth)
+{
+  return bed_depth > 0.0 ? fmin(depth, softest * bed_depth) : depth;
 }
 
 bool water_units_show_waves(double wavelength, double diagonal)

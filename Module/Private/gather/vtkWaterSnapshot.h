@@ -47,9 +47,10 @@ struct vtkWaterLook
   water_refraction_source RefractionSource = WATER_FROM_PICTURE;
   bool HasOwnView = false; // what lies below is seen in a view of its own, or in the picture
   double ShoreSoftness = 0.0;
-  double DomePortRadius = 0.0;  // 0: none
-  double SlopeVariance[3] = {}; // along, across a direction, degrees
-  double MeanSlopes[3] = {};    // variances xx, yy, xy of all slopes, at all times
+  bool HasShoreSoftness = false; // it is given, however deep the bed is
+  double DomePortRadius = 0.0;   // 0: none
+  double SlopeVariance[3] = {};  // along, across a direction, degrees
+  double MeanSlopes[3] = {};     // variances xx, yy, xy of all slopes, at all times
   double SlopeRMS = 0.0;
   double SlopeLookedUp = 0.0; // water_scene.slope_max
   double WaveNumber = 0.0;    // typical of the sines, rad/m; 0: not known

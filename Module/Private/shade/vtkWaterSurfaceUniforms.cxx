@@ -27,6 +27,7 @@
 #include "water_ranks.h"
 #include "water_sky.h"
 #include "water_slopes.h"
+#include "water_units.h"
 #include "water_waves.h"
 #include "water_whitecap.h"
 
@@ -188,7 +189,9 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   }
   uniforms::Set(program, "waterBedDepth", std::min(plan.bed_depth, kFarUp));
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
-  uniforms::Set(program, "waterShoreSoftness", look.ShoreSoftness);
+  uniforms::Set(program, "waterShoreSoftness",
+    look.HasShoreSoftness ? look.ShoreSoftness
+                          : water_units_soften(look.ShoreSoftness, plan.bed_depth));
   uniforms::Set(program, "waterPortRadius", look.DomePortRadius);
   uniforms::Set(program, "waterBufferIsSloped", this->Has(WATER_FEATURE_SLOPED) ? 1 : 0);
 }
