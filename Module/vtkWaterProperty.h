@@ -315,8 +315,8 @@ public:
    * of the slopes. Waves hide each other from a low sun and at a low angle of view. The sun is the
    * brightest scene light of the renderer; a headlight does not count. Default is on.
    *
-   * Sources: Cox and Munk 1954, "Measurement of the Roughness of the Sea Surface from Photographs of
-   * the Sun's Glitter"; Smith 1967, "Geometrical Shadowing of a Random Rough Surface".
+   * Sources: Cox and Munk 1954, "Measurement of the Roughness of the Sea Surface from Photographs
+   * of the Sun's Glitter"; Smith 1967, "Geometrical Shadowing of a Random Rough Surface".
    */
   void SetGlitter(bool glitter);
   vtkGetMacro(Glitter, bool);

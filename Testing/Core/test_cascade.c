@@ -200,7 +200,8 @@ TEST(slopes_add_up)
     water_cascades_turn(&sea, held, axes);
     ASSERT_CLOSE(axes[0], own[0], 1e-5 * slope);
     ASSERT_CLOSE(axes[1], own[1], 1e-5 * slope);
-    // along the wind and across it the slopes do not depend on each other: turned back there is nothing between them
+    // along the wind and across it the slopes do not depend on each other: turned back there is
+    // nothing between them
     const double c = cos(2.0 * sea.wind_dir_rad);
     const double s = sin(2.0 * sea.wind_dir_rad);
     ASSERT_CLOSE(c * axes[2] - 0.5 * s * (axes[0] - axes[1]), 0.0, 1e-15);

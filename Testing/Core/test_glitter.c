@@ -78,8 +78,8 @@ TEST(glitter_keeps_the_light)
   ASSERT_CLOSE(sum, cos(0.6), 2e-3);
 }
 
-// What facets hide is Smith's closed form, in which the normal distribution is exact; in any azimuth, from the zenith to a
-// sun at the horizon.
+// What facets hide is Smith's closed form, in which the normal distribution is exact; in any
+// azimuth, from the zenith to a sun at the horizon.
 TEST(facets_hide_each_other_as_smith_says)
 {
   const double covariance[3] = { 0.03, 0.02, 0.008 };
@@ -108,8 +108,8 @@ TEST(facets_hide_each_other_as_smith_says)
   assert_true(water_glitter_hidden(low, covariance) > 1e200);
 }
 
-// However low the sun is, the sea sends on no more light than it takes in; nor much less, though what
-// it hides is lost.
+// However low the sun is, the sea sends on no more light than it takes in; nor much less, though
+// what it hides is lost.
 TEST(waves_make_no_light)
 {
   const double variance[2] = { 0.03, 0.03 };
@@ -200,7 +200,7 @@ TEST(endless_slopes_have_no_density)
   }
 }
 
-TESTS(facets_hide_each_other_as_smith_says, waves_make_no_light,
-  endless_slopes_have_no_density, slopes_are_cox_and_munks, density_has_its_moments,
-  density_is_a_number_everywhere, glitter_keeps_the_light, glitter_is_where_the_mirror_is,
-  bad_winds_are_refused, covariance_turns_the_variances)
+TESTS(facets_hide_each_other_as_smith_says, waves_make_no_light, endless_slopes_have_no_density,
+  slopes_are_cox_and_munks, density_has_its_moments, density_is_a_number_everywhere,
+  glitter_keeps_the_light, glitter_is_where_the_mirror_is, bad_winds_are_refused,
+  covariance_turns_the_variances)

@@ -68,9 +68,9 @@ typedef struct water_shore_rows
 // Returns whether a wet point has no water by its level and bed.
 bool water_shore_columns(const water_shore_rows* rows, size_t count, double dry_depth);
 
-// Is a cell that the solver calls dry kept dry by a dyke? It is unless the height of its bed reaches
-// the mean level of its corners, or lacks no more than a film of water. Then all of it is dry, not
-// only what rises above the water.
+// Is a cell that the solver calls dry kept dry by a dyke? It is unless the height of its bed
+// reaches the mean level of its corners, or lacks no more than a film of water. Then all of it is
+// dry, not only what rises above the water.
 //
 // bed     of the cell; NaN: the mean of its corners
 // levels  of the corners, as in water_shore_depth; those that are not finite do not count

@@ -440,8 +440,9 @@ void vtkWaterColumns::FindDykes(vtkPolyData* mesh)
         std::for_each(points, points + count,
           [&areUneven](vtkIdType point) { areUneven[static_cast<size_t>(point)] = 1; });
       }
-      if (!isWet && water_shore_is_dyke(this->CellBeds[static_cast<size_t>(cell)], levels.data(),
-                      beds.data(), levels.size(), this->DryDepth))
+      if (!isWet &&
+        water_shore_is_dyke(this->CellBeds[static_cast<size_t>(cell)], levels.data(), beds.data(),
+          levels.size(), this->DryDepth))
       {
         this->Dykes.push_back(cell);
       }

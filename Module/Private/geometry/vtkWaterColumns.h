@@ -94,8 +94,8 @@ private:
   double* Depths = nullptr;
   bool AreDepthsKnown = false;
   std::vector<double> Beds;
-  std::vector<char> IsWet;     // points: the bed alone says where the water ends
-  std::vector<char> IsCellWet; // of data of cells; else empty
+  std::vector<char> IsWet;      // points: the bed alone says where the water ends
+  std::vector<char> IsCellWet;  // of data of cells; else empty
   std::vector<double> CellBeds; // the same
   water_heights_faces Faces = {};
   std::vector<vtkIdType> Dykes;

@@ -364,8 +364,7 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
   uniforms::Set3(
     program, "waterSlopeVariance", this->Drawn.IsSecondary ? look.MeanSlopes : variance);
   uniforms::Set3(program, "waterAllVariance", look.MeanSlopes);
-  uniforms::Set(
-    program, "waterSunHidden", water_glitter_hidden(plan.sun_dir, look.MeanSlopes));
+  uniforms::Set(program, "waterSunHidden", water_glitter_hidden(plan.sun_dir, look.MeanSlopes));
   uniforms::Set(program, "waterWavesAreDrawn", this->Has(WATER_FEATURE_DISPLACED) ? 1 : 0);
   uniforms::Set(program, "waterFoamDepth", look.FoamDepth);
   uniforms::Set(program, "waterFoamJacobian", look.FoamJacobian);
