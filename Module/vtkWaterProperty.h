@@ -313,11 +313,11 @@ public:
   ///@{
   /**
    * Glitter of the sun on waves, and on water with a SlopeVariance, computed from the distribution
-   * of the slopes. The sun is the brightest scene light of the renderer; a headlight does not
-   * count. Default is on.
+   * of the slopes. Waves hide each other from a low sun and at a low angle of view. The sun is the
+   * brightest scene light of the renderer; a headlight does not count. Default is on.
    *
-   * Source: Cox and Munk 1954, "Measurement of the Roughness of the Sea Surface from Photographs of
-   * the Sun's Glitter".
+   * Sources: Cox and Munk 1954, "Measurement of the Roughness of the Sea Surface from Photographs
+   * of the Sun's Glitter"; Smith 1967, "Geometrical Shadowing of a Random Rough Surface".
    */
   void SetGlitter(bool glitter);
   vtkGetMacro(Glitter, bool);
@@ -327,7 +327,7 @@ public:
   ///@{
   /**
    * Whether glitter brighter than white rolls off towards white (HighlightRollOff), so that it
-   * keeps its shape and the sun's colour. Glitter that takes up at most 0.6 of the range that is
+   * keeps its shape and the sun's colour. Glitter that takes up at most 0.72 of the range that is
    * left below white does not change. The roll-off is always off if a pass of the renderer may
    * apply tone mapping. Default is on.
    */

@@ -74,7 +74,7 @@ void water_units_dim(const double extinction[3], double bed_depth, double diagon
 double water_units_show_foam(double depth, double diagonal);
 
 // Depth over which a reflection fades in at a shore, units, unless it is given: at most a tenth of
-// the depth of the deepest bed, so that small things in shallow water have a reflection, too.
+// the depth of the deepest bed, so that small objects in shallow water have a reflection, too.
 double water_units_soften(double depth, double bed_depth);
 
 // Are waves of this length visible in a picture of the whole scene? Not if they are shorter

@@ -35,8 +35,8 @@ water_status water_glitter_mean_square(double wind_speed, double* mean_square);
 void water_glitter_covariance(const double variance[2], double dir_rad, double covariance[3]);
 
 // How much more of the facets that face a direction there is than is seen from there, of 1: with a
-// sun at the horizon, all of the light's way is full of waves. Waves between a facet and the sun,
-// or the eye, take the light away with the probability 1 / (1 + the sum of these of both).
+// sun at the horizon, the way of the light is full of waves. Waves between a facet and the sun, or
+// the eye, take the light away with the probability 1 / (1 + the sum of these of both).
 //
 // dir         unit length
 // covariance  of the slopes, xx, yy and xy

@@ -65,7 +65,8 @@ float waterShoreFoamSeen(float depth, float change)
   float end = depth + 0.5 * wide;
   float foamy = max(min(end, 1.0) - start, 0.0);
   float cover = 0.0;
-  for (int i = 0; i < WATER_FOAM_LOOKS; ++i)
+  int looks = foamy > 0.0 ? WATER_FOAM_LOOKS : 0; // no branch: software renderers execute both sides
+  for (int i = 0; i < looks; ++i)
   {
     float part = (float(i) + 0.5) / float(WATER_FOAM_LOOKS);
     cover += waterShoreFoam(start + part * foamy, waterFoamTurn);
