@@ -255,6 +255,28 @@ def test_no_comb_stands_behind_an_object(is_software, monkeypatch):
     wt.check_equal("pixels behind the post that differ from what is over and under them", int(is_tooth.sum()), 0)
 
 
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_no_bars_stand_at_the_pictures_lower_border(is_software, monkeypatch):
+    """Rays that leave the picture at its lower border see a bed that fades to its mean: the colours of the last row that
+    is seen do not go on as bars with hard edges."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    view = wt.View(SIZE, WHITE)
+    for column in range(-12, 12):
+        for row in range(-12, 12):
+            shade = (0.9, 0.9, 0.8) if (column + row) % 2 else (0.3, 0.3, 0.3)
+            tile = wt.add_actor(view.renderer, wt.box((2 * column + 1, 2 * row + 1, -2.05), (2, 2, 0.1)), shade)
+            tile.GetProperty().LightingOff()
+    clear_water(view, (-24, 24, -24, 24))
+    camera = wt.place_camera(view.renderer, (2.5, -18, 4), (0.5, 1.5, 0.0), (0.5, 90))
+    camera.SetViewAngle(24)
+    picture = view.picture().astype(int)
+    wt.save(picture.astype(np.uint8), wt.output_folder() / f"bars_{is_software}.png")
+    # of the rows that show the bed, one in the middle and the lowest
+    edges = [int((np.abs(np.diff(picture[row, :, 1])) > 30).sum()) for row in (SIZE[1] // 4, 0)]
+    wt.check_at_least("hard edges in a row that is seen", edges[0], 3)
+    wt.check_at_most("hard edges in the lowest row", edges[1], 0)
+
+
 def pool_with(is_empty, eye):
     """A view of a pool of 12 m x 6 m whose walls are darker than its floor, with a post near one end or without."""
     view = wt.View((320, 240), WHITE)

@@ -44,6 +44,7 @@ struct WaterMediumMet
   float way;          // m of water
   bool isUnderBorder; // the water ends before the ray meets anything: it is the bed under its border
   bool isNothing;     // there is none
+  vec2 aside;         // the color is a mean over so much of the picture to each side: 0, of one place
 };
 
 // The place where a ray meets a surface that is interpolated between the centres of pixels, where
@@ -97,6 +98,22 @@ vec3 waterMediumStart(WaterPoint point)
   return vec3(place + off, depth + dot(slope, off));
 }
 
+// If a ray leaves the picture before it meets the bed: how much of the picture, to each side of the place where it leaves,
+// is like what it meets? The further beyond, the more: the colour of that place alone, for a column of rays, would be seen
+// as a bar.
+//
+// dir  of the ray, in the plane's axes
+vec2 waterMediumAside(vec3 dir, WaterMediumRay ray, WaterMediumMet met)
+{
+  float way = waterMediumHeight(met.view.from, met.depth) / dir.z; // to a level bed as deep as there
+  vec2 size = waterMediumSize();
+  vec2 end = ray.start.xy + way / max(ray.w + way * ray.rate, 1e-6) * ray.way.xy;
+  vec2 along = ray.way.xy * size / max(length(ray.way.xy * size), 1e-6);
+  float beyond = max(dot((end - met.view.from) * size, along), 0.0); // pixels
+  bool isBed = met.depth < 1.0 && way > 0.0 && waterSide > 0.0;
+  return met.view.isOut && isBed ? WATER_MEDIUM_ASIDE * beyond * vec2(-along.y, along.x) / size : vec2(0.0);
+}
+
 // A ray that leaves the water without having met its bed meets what lies under the water's border, as if that went on.
 //
 // dir  of the ray, in the plane's axes
@@ -148,6 +165,7 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
     (met.view.isOut || apart < WATER_MEDIUM_BELOW * waterBedDepth + WATER_MEDIUM_EDGE * pixel);
   met.isNothing = met.isUnderBorder ? !isThere : met.view.isBelow;
   waterMediumGuess(point, dir, ray, most, met);
+  met.aside = waterMediumAside(dir, ray, met);
   return met;
 }
 
@@ -159,6 +177,28 @@ float waterMediumLight(WaterPoint point, vec3 dir, float way)
   float w = 1.0 / waterPerW() + end.w;
   vec2 ndc = (point.ndc / waterPerW() + end.xy) / max(w, 1e-6); // beyond the picture's border, too
   return waterCaustic(ndc, w, -way * dir.z, point.ndc);
+}
+
+// Color at the first place of what a ray meets, or the mean of the same bed to its sides.
+vec3 waterMediumFrom(WaterMediumMet met)
+{
+  float count = WATER_MEDIUM_PLACE;
+  vec3 sum = count * waterMediumColor(met.view.from, met.depth);
+  float height = waterMediumHeight(met.view.from, met.depth);
+  int places = met.aside == vec2(0.0) ? 0 : WATER_MEDIUM_PLACES;
+  vec2 back = vec2(met.aside.y, -met.aside.x) * waterMediumSize().yx / waterMediumSize(); // where the ray comes from
+  for (int i = 0; i < places; ++i)
+  {
+    // a lattice of rank one
+    vec2 part = vec2(2.0 * fract(0.618034 * (float(i) + 0.5)) - 1.0, (float(i) + 0.5) / float(WATER_MEDIUM_PLACES));
+    vec2 place = waterMediumMiddle(met.view.from + part.x * met.aside + part.y * back);
+    float depth = waterMediumDepth(place);
+    bool isBed = depth < 1.0 && abs(waterMediumHeight(place, depth) - height) < WATER_MEDIUM_ALIKE * -height;
+    float weight = isBed ? (1.0 - abs(part.x)) * (1.0 - part.y) : 0.0; // the furthest change from row to row the most
+    sum += weight * textureLod(waterSceneColor, place, 0.0).rgb;
+    count += weight;
+  }
+  return sum / count;
 }
 
 // What a refracted ray sees with the translucent things on its way; of the slot below.
@@ -174,7 +214,7 @@ vec3 waterTransmittedOpaque(WaterPoint point, vec3 dir)
   }
   WaterMediumView view = met.view;
   waterMediumEnd = view.from;
-  vec3 from = waterMediumColor(view.from, met.depth);
+  vec3 from = waterMediumFrom(met);
   vec3 to = from;
   vec3 ways = vec3(met.way); // of what is seen at the first place, at the second, and of both
   float depthTo = met.depth;
