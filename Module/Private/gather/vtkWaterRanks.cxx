@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterRanks.h"
 
+#include "vtkTimeStamp.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -74,7 +76,9 @@ void vtkWaterRanks::SetController(vtkMultiProcessController* controller)
   {
     return; // ranks that are lost stay lost
   }
-  ++this->Stamp;
+  vtkTimeStamp now; // of all objects of this class another
+  now.Modified();
+  this->Stamp = now.GetMTime();
   this->Controller = controller;
   this->Shared = controller ? std::make_shared<Line>() : nullptr;
   this->SetWaitLimit(this->WaitLimit);
