@@ -183,9 +183,9 @@ std::vector<Fault> GetFaults()
       nullptr },
   };
   // wherever the others are in their agreements
-  const auto addLeaving = [&faults](int message, const char* where) {
+  const auto addLeaving = [&faults](int message, const char* where, bool isFirst) {
     faults.push_back(
-      { "leaves before message " + std::to_string(message) + where, OTHERS_END, false, 1,
+      { "leaves before message " + std::to_string(message) + where, OTHERS_END, isFirst, 1,
         [message](P part) {
           vtkMultiProcessController* controller = part.Water->GetReflectionPass()->GetController();
           static_cast<WaterSocketCommunicator*>(controller->GetCommunicator())->MessagesLeft =
@@ -195,15 +195,15 @@ std::vector<Fault> GetFaults()
   };
   for (int i = 0; i < kMessages; ++i)
   {
-    addLeaving(i, " below clear water");
+    addLeaving(i, " below clear water", false);
   }
   for (int i = 0; i < kMessages; ++i)
   {
-    addLeaving(i, " over ground");
+    addLeaving(i, " over ground", true); // which is sent in the first frame
   }
   for (int i = kFirstOfViews; i < kEndOfViews; ++i)
   {
-    addLeaving(i, " of all views");
+    addLeaving(i, " of all views", false);
   }
   return faults;
 }
