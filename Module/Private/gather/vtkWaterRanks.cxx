@@ -152,6 +152,7 @@ bool vtkWaterRanks::JoinFrames(
   water_rank_frame mine, double bounds[6], bool* areGone, vtkWaterError& error)
 {
   *areGone = false;
+  std::copy_n(mine.scene_bounds, 6, bounds);
   constexpr size_t size = sizeof(water_rank_frame) / sizeof(double);
   mine.format = WATER_RANKS_FORMAT;
   mine.scene_size = sizeof(water_scene);
