@@ -254,7 +254,7 @@ water_feature_set FeaturesWith(
   features = hasSamples ? water_features_with_samples(features) : features;
   const bool hasLayerBelow = water.WantsOwnView() && inputs.OwnView.Translucent.Color;
   features = hasLayerBelow ? water_features_with_below_layer(features) : features;
-  if (inputs.Ranks && inputs.Ranks->HasRegion() && water.Look.Opacity < 1.0)
+  if (inputs.Ranks && inputs.Ranks->HasRegion() && !water.Look.Has.is_opaque)
   {
     features = water_features_with_rank_region(features);
   }

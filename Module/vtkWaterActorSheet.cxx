@@ -215,7 +215,8 @@ bool vtkWaterActor::Internals::IsGroundJoined()
   water_plane plane;
   double origin[3];
   this->ReadPlane(&plane, origin);
-  return this->HasRankBounds && this->Ground.IsJoined(plane, this->RankBounds, scene);
+  return this->HasRankBounds &&
+    this->Ground.IsJoined(plane, this->RankBounds, scene, this->GetRanks().GetStamp());
 }
 
 //------------------------------------------------------------------------------
@@ -226,7 +227,7 @@ std::vector<double> vtkWaterActor::Internals::ReadGroundPart()
   water_plane plane;
   double origin[3];
   this->ReadPlane(&plane, origin);
-  return this->Ground.ReadPart(plane, this->RankBounds, scene);
+  return this->Ground.ReadPart(plane, this->RankBounds, scene, this->GetRanks().GetStamp());
 }
 
 //------------------------------------------------------------------------------
@@ -264,10 +265,16 @@ void vtkWaterActor::Internals::SetSceneBounds(const double* bounds)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterActor::Internals::IsDrawnOnAllRanks()
+const vtkWaterRanks& vtkWaterActor::Internals::GetRanks()
 {
   vtkWaterReflection* composed = this->GetComposedReflection();
-  if (!(composed ? *composed : this->GetOwnReflection()).Ranks.AreSeveral())
+  return (composed ? *composed : this->GetOwnReflection()).Ranks;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::IsDrawnOnAllRanks()
+{
+  if (!this->GetRanks().AreSeveral())
   {
     return false;
   }

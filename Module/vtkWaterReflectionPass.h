@@ -403,7 +403,7 @@ public:
    * the other ranks are transparent black where their water is, so that they hide neither the water
    * nor the objects in it. They keep the objects in front of their water. In [-1, ranks - 1]; -1:
    * all ranks draw the water, for engines that compare depths. Has no effect without other ranks.
-   * Water with an Opacity below 1 also needs SetRankRegion.
+   * Translucent water also needs SetRankRegion.
    * Source: Documentation/decisions/023-ranks.md. Default is -1.
    */
   void SetFarthestRank(int rank);
@@ -412,13 +412,14 @@ public:
 
   ///@{
   /**
-   * The part of space whose data this rank draws, for water with an Opacity below 1 and engines
-   * that blend the ranks' pictures in an order: a box (xmin, xmax, ymin, ymax, zmin, zmax) in world
-   * coordinates, such as a region of the engine's k-d tree. Each rank then draws the water inside
-   * its own box, and all boxes together must contain all of the water: a side without a neighbour
-   * is -infinity or infinity. Set it on all ranks. Opaque and clear water do not use it
-   * (SetFarthestRank). Each minimum must be below its maximum. Default is an empty box (minima
-   * above maxima): each rank draws all of the water. Source: Documentation/decisions/023-ranks.md.
+   * The part of space whose data this rank draws, for translucent water (an Opacity below 1, of the
+   * water or of its actor) and engines that blend the ranks' pictures in an order: a box (xmin,
+   * xmax, ymin, ymax, zmin, zmax) in world coordinates, such as a region of the engine's k-d tree.
+   * Each rank then draws the water inside its own box, and all boxes together must contain all of
+   * the water: a side without a neighbour is -infinity or infinity. Set it on all ranks. Opaque and
+   * clear water do not use it (SetFarthestRank). Each minimum must be below its maximum. Default is
+   * an empty box (minima above maxima): each rank draws all of the water. Source:
+   * Documentation/decisions/023-ranks.md.
    */
   void SetRankRegion(const double bounds[6]);
   void ResetRankRegion();

@@ -77,6 +77,8 @@ void Forget(Part& part)
 {
   part.Action = nullptr;
   part.Thing->IsBroken = false;
+  part.Thing->IsHidingTime = false;
+  part.Thing->IsHidingData = false;
 }
 
 std::vector<Fault> GetFaults()
@@ -136,6 +138,21 @@ std::vector<Fault> GetFaults()
         part.Thing->IsCulled = false;
       },
       Forget },
+    { "throws when its ground is compared", ALL_SAY, false, 2,
+      [](P part) {
+        part.Thing->IsHidingTime = true;
+        part.Thing->IsCulled = false;
+      },
+      Forget },
+    { "the root throws when its ground is read", ALL_SAY, false, 0,
+      [](P part) {
+        part.Thing->IsHidingData = true;
+        part.Thing->IsCulled = false;
+        part.Thing->Modified();
+      },
+      Forget },
+    { "throws when its ground is first read", ALL_SAY, true, 1,
+      [](P part) { part.Thing->IsHidingData = true; }, Forget },
     { "throws in its picture", OTHERS_END, false, 2, drawn(Throw), nullptr },
     { "throws in its picture below clear water", OTHERS_END, false, 1,
       [](P part) {
@@ -166,9 +183,9 @@ std::vector<Fault> GetFaults()
       nullptr },
   };
   // wherever the others are in their agreements
-  const auto addLeaving = [&faults](int message, const char* where) {
+  const auto addLeaving = [&faults](int message, const char* where, bool isFirst) {
     faults.push_back(
-      { "leaves before message " + std::to_string(message) + where, OTHERS_END, false, 1,
+      { "leaves before message " + std::to_string(message) + where, OTHERS_END, isFirst, 1,
         [message](P part) {
           vtkMultiProcessController* controller = part.Water->GetReflectionPass()->GetController();
           static_cast<WaterSocketCommunicator*>(controller->GetCommunicator())->MessagesLeft =
@@ -178,11 +195,15 @@ std::vector<Fault> GetFaults()
   };
   for (int i = 0; i < kMessages; ++i)
   {
-    addLeaving(i, " below clear water");
+    addLeaving(i, " below clear water", false);
+  }
+  for (int i = 0; i < kMessages; ++i)
+  {
+    addLeaving(i, " over ground", true); // which is sent in the first frame
   }
   for (int i = kFirstOfViews; i < kEndOfViews; ++i)
   {
-    addLeaving(i, " of all views");
+    addLeaving(i, " of all views", false);
   }
   return faults;
 }
@@ -195,6 +216,10 @@ void SetUp(Part& part, const Fault& fault, int rank)
   if (isNamed("clear"))
   {
     part.Water->GetWaterProperty()->RefractionOn();
+  }
+  if (isNamed("ground"))
+  {
+    part.Water->SetSheetToAutomatic();
   }
   if (isNamed("own view") || isNamed("sun view") || isNamed("sky view") || isNamed("all views"))
   {

@@ -41,6 +41,7 @@ struct WaterOrderedLook
   double Limit;   // root mean square of the difference, of 255; 0: no pixel is off by more than 1
   bool IsTranslucent = false; // water with an Opacity below 1
   bool IsSubmerged = false;   // the eye is under the water
+  bool IsFaint = false;       // the water's actor has an opacity below 1
 };
 
 inline std::vector<WaterOrderedLook> WaterOrderedLooks()
@@ -56,6 +57,7 @@ inline std::vector<WaterOrderedLook> WaterOrderedLooks()
     { "translucent water", true, false, false, false, 1.0, true }, // blended, as panes are
     { "translucent water to the horizon", true, false, true, false, 1.0, true },
     { "translucent water with panes", true, false, false, true, 1.0, true },
+    { "water of a translucent actor", true, false, false, false, 1.0, false, false, true },
     { "clear water from below", true, true, true, false, 0.0, false, true },
     { "clear water from below with panes", true, true, true, true, 1.0, false, true } };
 }
@@ -80,6 +82,7 @@ struct WaterOrderedScene : public WaterTestScene
     this->Water->SetVisibility(look.IsWet);
     this->Water->GetWaterProperty()->SetRefraction(look.IsClear);
     this->Water->GetWaterProperty()->SetOpacity(look.IsTranslucent ? 0.6 : 1.0);
+    this->Water->GetProperty()->SetOpacity(look.IsFaint ? 0.6 : 1.0);
     if (look.IsSubmerged)
     {
       this->Renderer->GetActiveCamera()->SetPosition(3, -15, -0.9);
@@ -170,7 +173,7 @@ inline bool WaterCheckEngine(const WaterEngine& engine, vtkMultiProcessControlle
   WaterDifference floor = { 0.0, 0.0 };
   for (const WaterOrderedLook& look : WaterOrderedLooks())
   {
-    if ((look.HasGlass || look.IsTranslucent) && !engine.IsOrdered)
+    if ((look.HasGlass || look.IsTranslucent || look.IsFaint) && !engine.IsOrdered)
     {
       continue; // an engine that compares depths does not blend what is translucent of several
                 // ranks

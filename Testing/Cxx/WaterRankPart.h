@@ -18,7 +18,7 @@
 #include <stdexcept>
 #include <string>
 
-// A prop that throws when it is asked where it is, once the cullers have asked.
+// A prop that throws when it is asked where it is, or more, once the cullers have asked.
 class FaultyActor : public vtkActor
 {
 public:
@@ -26,6 +26,8 @@ public:
   vtkTypeMacro(FaultyActor, vtkActor);
   bool IsBroken = false;
   bool IsCulled = false;
+  bool IsHidingTime = false; // throws when it is asked whether it has changed
+  bool IsHidingData = false; // and what it shows
   void SetAllocatedRenderTime(double seconds, vtkViewport* viewport) override
   {
     this->IsCulled = true;
@@ -38,6 +40,22 @@ public:
       throw std::runtime_error("no bounds");
     }
     return this->vtkActor::GetBounds();
+  }
+  vtkMTimeType GetRedrawMTime() override
+  {
+    if (this->IsHidingTime && this->IsCulled)
+    {
+      throw std::runtime_error("no time");
+    }
+    return this->vtkActor::GetRedrawMTime();
+  }
+  void InitPathTraversal() override
+  {
+    if (this->IsHidingData && this->IsCulled)
+    {
+      throw std::runtime_error("no data");
+    }
+    this->vtkActor::InitPathTraversal();
   }
 };
 inline vtkStandardNewMacro(FaultyActor);

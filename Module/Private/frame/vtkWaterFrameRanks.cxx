@@ -53,6 +53,19 @@ vtkWaterError ErrorOf(const std::exception& thrown)
   return error;
 }
 
+// A scene that cannot be asked is read again, which says why to all ranks.
+bool IsGroundJoined(vtkWaterSource& water)
+{
+  try
+  {
+    return water.IsGroundJoined();
+  }
+  catch (const std::exception&)
+  {
+    return false;
+  }
+}
+
 // Which waters choose their extent, as a number that ranks compare.
 double DigestOfAutomatic(const std::vector<vtkWaterSource*>& waters)
 {
@@ -79,7 +92,7 @@ bool vtkWaterFrame::JoinGrounds(const std::vector<vtkWaterSource*>& waters, vtkW
   std::vector<int> areJoined;
   for (vtkWaterSource* water : choosing)
   {
-    areJoined.push_back(water->IsGroundJoined() ? 1 : 0);
+    areJoined.push_back(IsGroundJoined(*water) ? 1 : 0);
   }
   this->RanksAsked.HoldOnAll(areJoined);
   for (size_t i = 0; i < choosing.size(); ++i)

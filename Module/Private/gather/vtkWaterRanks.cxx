@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterRanks.h"
 
+#include "vtkTimeStamp.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -74,7 +76,9 @@ void vtkWaterRanks::SetController(vtkMultiProcessController* controller)
   {
     return; // ranks that are lost stay lost
   }
-  ++this->Stamp;
+  vtkTimeStamp now; // of all objects of this class another
+  now.Modified();
+  this->Stamp = now.GetMTime();
   this->Controller = controller;
   this->Shared = controller ? std::make_shared<Line>() : nullptr;
   this->SetWaitLimit(this->WaitLimit);
@@ -148,6 +152,7 @@ bool vtkWaterRanks::JoinFrames(
   water_rank_frame mine, double bounds[6], bool* areGone, vtkWaterError& error)
 {
   *areGone = false;
+  std::copy_n(mine.scene_bounds, 6, bounds);
   constexpr size_t size = sizeof(water_rank_frame) / sizeof(double);
   mine.format = WATER_RANKS_FORMAT;
   mine.scene_size = sizeof(water_scene);

@@ -86,7 +86,8 @@ public:
   // cannot be reached.
   //
   // mine    format and scene_size are filled in here
-  // bounds   of the scenes of all ranks; min > max: there are none
+  // bounds   of the scenes of all ranks; min > max: there are none. Of this rank's, if the others
+  //          cannot be reached
   // areGone  set: water_ranks_are_gone
   bool JoinFrames(water_rank_frame mine, double bounds[6], bool* areGone, vtkWaterError& error);
 

@@ -150,16 +150,24 @@ void vtkWaterGround::Read(
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterGround::Forget()
+{
+  this->State = UNKNOWN;
+  this->Surfaces.clear();
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterGround::IsUnder(
   const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene)
 {
   const std::vector<double> key = KeyOf(plane, bounds, scene);
-  if (key != this->Key || this->IsOfRanks)
+  if (key != this->Key || this->State != OF_ONE)
   {
-    this->Key = key;
-    this->IsOfRanks = false;
-    this->IsNew = true;
+    this->Forget();
     this->Read(plane, bounds, scene);
+    this->Key = key;
+    this->State = OF_ONE;
+    this->IsNew = true;
   }
   return this->Judge(plane);
 }
@@ -167,26 +175,26 @@ bool vtkWaterGround::IsUnder(
 //------------------------------------------------------------------------------
 bool vtkWaterGround::IsUnderOfRanks(const water_plane& plane)
 {
-  return this->IsOfRanks && this->Judge(plane);
+  return this->State == OF_RANKS && this->Judge(plane);
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterGround::IsJoined(
-  const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene) const
+bool vtkWaterGround::IsJoined(const water_plane& plane, const double bounds[6],
+  const std::vector<vtkRenderer*>& scene, vtkMTimeType ranks) const
 {
-  return this->IsOfRanks && KeyOf(plane, bounds, scene) == this->Key;
+  return this->State == OF_RANKS && this->Ranks == ranks &&
+    KeyOf(plane, bounds, scene) == this->Key;
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> vtkWaterGround::ReadPart(
-  const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene)
+std::vector<double> vtkWaterGround::ReadPart(const water_plane& plane, const double bounds[6],
+  const std::vector<vtkRenderer*>& scene, vtkMTimeType ranks)
 {
-  this->IsOfRanks = false; // until it is joined
-  this->IsReadingPart = true;
-  this->Surfaces.clear();
+  this->Forget();
+  this->State = OF_PART; // until it is joined
+  this->Ranks = ranks;
   water_relief_begin(&this->Relief);
   this->Read(plane, bounds, scene);
-  this->IsReadingPart = false;
   this->Key = KeyOf(plane, bounds, scene);
   std::vector<double> numbers(WATER_GROUND_NUMBERS);
   water_ground_write(&this->Ground, &this->Relief, numbers.data());
@@ -223,7 +231,7 @@ void vtkWaterGround::JoinBelow(const std::vector<double>& parts)
     water_relief_join_below(parts.data() + i, &this->Relief);
   }
   water_ground_take_relief(&this->Relief, &this->Ground);
-  this->IsOfRanks = true;
+  this->State = OF_RANKS;
   this->IsNew = true;
 }
 
@@ -331,7 +339,8 @@ bool vtkWaterGround::AddData(vtkDataSet* data, vtkMatrix4x4* matrix)
   }
   const bool isSurface =
     water_footprint_shape_of(&this->Footprint) == WATER_FOOTPRINT_SURFACE && count > 0;
-  if (isSurface && this->IsReadingPart)
+  const bool isPart = this->State == OF_PART;
+  if (isSurface && isPart)
   {
     vtkNew<vtkMatrix4x4> copy;
     if (matrix)
@@ -347,7 +356,7 @@ bool vtkWaterGround::AddData(vtkDataSet* data, vtkMatrix4x4* matrix)
     this->SeeFaces(data, matrix);
     this->SeePoints(data, matrix);
   }
-  const bool hasRelief = isSurface && !this->IsReadingPart; // else it is known once it is joined
+  const bool hasRelief = isSurface && !isPart; // else it is known once it is joined
   return water_ground_add_thing(
     &this->Footprint, hasRelief ? &this->Relief : nullptr, &this->Ground);
 }

@@ -34,12 +34,13 @@ public:
   //
   // bounds  of the scene of all ranks
   // scene   this rank's
-  bool IsJoined(
-    const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene) const;
+  // ranks   vtkWaterRanks::GetStamp: what other ranks have joined does not hold
+  bool IsJoined(const water_plane& plane, const double bounds[6],
+    const std::vector<vtkRenderer*>& scene, vtkMTimeType ranks) const;
 
   // What this rank's part adds: WATER_GROUND_NUMBERS numbers. Parameters as above.
-  std::vector<double> ReadPart(
-    const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene);
+  std::vector<double> ReadPart(const water_plane& plane, const double bounds[6],
+    const std::vector<vtkRenderer*>& scene, vtkMTimeType ranks);
 
   // Joins what the parts of all ranks add, one after the other. Returns what this rank's part then
   // adds: WATER_GROUND_BELOW_NUMBERS numbers.
@@ -57,6 +58,15 @@ public:
   bool GetIsFlat() const { return this->IsFlat; }
 
 private:
+  enum Knowledge
+  {
+    UNKNOWN, // or what was read of it was ended by an exception
+    OF_ONE,
+    OF_PART, // of ranks, while they join it
+    OF_RANKS
+  };
+
+  void Forget();
   void Read(
     const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene);
   bool Judge(const water_plane& plane);
@@ -67,8 +77,9 @@ private:
   void SeePoints(vtkDataSet* data, vtkMatrix4x4* matrix);
 
   std::vector<double> Key; // what the ground is of
-  bool IsOfRanks = false;
-  bool IsNew = false; // not judged yet
+  Knowledge State = UNKNOWN;
+  vtkMTimeType Ranks = 0; // that join it
+  bool IsNew = false;     // not judged yet
   water_ground Ground = water_ground();
   water_footprint Footprint = water_footprint(); // of the thing that is looked at
   water_relief Relief = water_relief();          // of the same; of ranks: of all surfaces
@@ -79,7 +90,6 @@ private:
     vtkSmartPointer<vtkMatrix4x4> Matrix;
   };
   std::vector<Surface> Surfaces;
-  bool IsReadingPart = false;
   double Level = 0.0; // height of the water along the normal
   std::vector<double> Wet;
   bool IsFlat = false;

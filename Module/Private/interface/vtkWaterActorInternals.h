@@ -32,6 +32,7 @@
 #include <vector>
 
 class vtkWaterOcclusion;
+class vtkWaterRanks;
 
 struct vtkWaterActor::Internals : public vtkWaterSource
 {
@@ -80,6 +81,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   void Describe(vtkWaterLook& look);
   // What the water's renderers show, on all ranks.
   void FindSceneBounds(const std::vector<vtkRenderer*>& scene, double bounds[6]);
+  const vtkWaterRanks& GetRanks(); // of the pass that draws its mirrored view
   // Is a frame being rendered whose water all ranks draw, whatever each of them sees of it?
   bool IsDrawnOnAllRanks();
   // The same, while cullers ask.
