@@ -190,6 +190,7 @@ private:
   void SetNoTexture(vtkShaderProgram* program, const char* name);
   void SetViewParameters(vtkShaderProgram* program);
   void SetMediumParameters(vtkShaderProgram* program);
+  void SetRegionParameters(vtkShaderProgram* program); // of a rank
   void SetReflectionParameters(vtkShaderProgram* program);
   void SetSkyParameters(vtkShaderProgram* program);
   void SetSunParameters(vtkShaderProgram* program);

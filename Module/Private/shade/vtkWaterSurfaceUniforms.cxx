@@ -178,15 +178,7 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
     uniforms::Set4(program, "waterHullRows", hulls);
     uniforms::Set(program, "waterHullAxis", rows.axis);
   }
-  if (this->Has(WATER_FEATURE_RANK_REGION) && this->Drawn.Ranks)
-  {
-    water_plane plane;
-    double sides[6][4];
-    water_plane_normalise(&this->Water->Plane, &plane);
-    water_rank_region_sides(
-      &plane, this->Water->Origin, &plan, this->Drawn.Ranks->GetRegion(), sides);
-    uniforms::Set4s(program, "waterRankSides", 6, sides);
-  }
+  this->SetRegionParameters(program);
   uniforms::Set(program, "waterBedDepth", std::min(plan.bed_depth, kFarUp));
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
   uniforms::Set(program, "waterShoreSoftness",
@@ -194,6 +186,20 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
                           : water_units_soften(look.ShoreSoftness, plan.bed_depth));
   uniforms::Set(program, "waterPortRadius", look.DomePortRadius);
   uniforms::Set(program, "waterBufferIsSloped", this->Has(WATER_FEATURE_SLOPED) ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::SetRegionParameters(vtkShaderProgram* program)
+{
+  if (this->Has(WATER_FEATURE_RANK_REGION) && this->Drawn.Ranks)
+  {
+    water_plane plane;
+    double sides[6][4];
+    water_plane_normalise(&this->Water->Plane, &plane);
+    water_rank_region_sides(
+      &plane, this->Water->Origin, this->Drawn.Plan, this->Drawn.Ranks->GetRegion(), sides);
+    vtkWaterUniforms::Set4s(program, "waterRankSides", 6, sides);
+  }
 }
 
 //------------------------------------------------------------------------------
