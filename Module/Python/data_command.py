@@ -104,6 +104,8 @@ def check_data(parser, arguments):
             parser.error(f"{arguments.file} is a folder; a folder of GeoTIFF files needs two of its arrays, such "
                          f"as --depth depth --bed bed (vtkwater info {arguments.file} lists its arrays)")
         if arguments.level is None:
+            if not pathlib.Path(arguments.file).exists():
+                parser.error(f"{arguments.file}: no such file")
             parser.error("--level is missing: the height of the water in the file's unit, or for a solver's file the "
                          f"name of an array (vtkwater info {arguments.file} suggests one)")
         return

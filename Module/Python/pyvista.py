@@ -154,7 +154,8 @@ def add_water(
     wind : float | sequence[float], optional
         Replaces the preset's waves by a wind sea: the wind speed, m/s in [0.1, 100], 0 for calm water; or the speed
         and the direction in which the wind blows, in degrees from the plane's first axis (x) towards the second (y).
-        Not together with ``waves``.
+        The water keeps the preset's colour, that of a lake by default; ``preset="ocean wind 10"`` is a blue ocean with
+        such waves. Not together with ``waves``.
 
     whitecaps : float | bool, optional
         Whether a wind sea has foam where its crests break; a number is the time in seconds, 0 to 10, after which 1/e

@@ -205,6 +205,7 @@ def test_what_cannot_be_read_is_an_error_in_a_line(folder, name, words, capsys):
 @pytest.mark.parametrize("arguments, words", (
     (("render", "depths", "--level", "8"), ("depths is a folder", "--depth depth --bed bed", "vtkwater info depths")),
     (("render", "slope.tif"), ("--level is missing", "vtkwater info slope.tif")),
+    (("render", "missing.vtp"), ("missing.vtp: no such file",)),
     (("render", "slope.tif", "--level", "8", "--zoom", "0"), ("--zoom", "0.01", "1000")),
     (("animate", "slope.tif", "--level", "8", "--frames", "x"), ("--frames", "'x'")),
     (("render", "slope.tif", "--level", "8", "--wind-direction", "30"), ("--wind",))))
