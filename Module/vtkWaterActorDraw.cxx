@@ -398,8 +398,9 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   }
   if (!internal.Surface.GetIsBuffered())
   {
-    const bool isShown =
-      (used & WATER_FEATURE_RANK_REGION) != 0 || frame.GetReflection(internal).Ranks.ShowsWater();
+    // the plain colour is not divided
+    const bool isDivided = inputs.Plan && (used & WATER_FEATURE_RANK_REGION) != 0;
+    const bool isShown = isDivided || frame.GetReflection(internal).Ranks.ShowsWater();
     const ScopedHole hole(renderer, this, isShown);
     internal.DrawSurface(internal.Surface, renderer, drawn);
   }

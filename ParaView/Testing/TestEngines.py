@@ -12,7 +12,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import water_scene  # noqa: E402
 import ranks  # noqa: E402
 
-LOOKS = {"depth": 6, "icet": 6, "blend": 14, "icet-ordered": 14}
+LOOKS = {"depth": 6, "icet": 6, "blend": 15, "icet-ordered": 15}
 ENGINE = sys.argv.pop() if sys.argv[-1] in LOOKS else "depth"
 
 

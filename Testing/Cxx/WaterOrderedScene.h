@@ -8,6 +8,9 @@
 #include "WaterRankScene.h"
 #include "WaterTestScene.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkDummyController.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPlaneSource.h"
 #include "vtkSmartPointer.h"
@@ -42,6 +45,7 @@ struct WaterOrderedLook
   bool IsTranslucent = false; // water with an Opacity below 1
   bool IsSubmerged = false;   // the eye is under the water
   bool IsFaint = false;       // the water's actor has an opacity below 1
+  bool IsPlain = false;       // the ranks' waters differ in a second frame: an error
 };
 
 inline std::vector<WaterOrderedLook> WaterOrderedLooks()
@@ -58,6 +62,8 @@ inline std::vector<WaterOrderedLook> WaterOrderedLooks()
     { "translucent water to the horizon", true, false, true, false, 1.0, true },
     { "translucent water with panes", true, false, false, true, 1.0, true },
     { "water of a translucent actor", true, false, false, false, 1.0, false, false, true },
+    // it hides what the ranks that do not show it have under it
+    { "plain translucent water", true, false, false, false, 8.0, true, false, false, true },
     { "clear water from below", true, true, true, false, 0.0, false, true },
     { "clear water from below with panes", true, true, true, true, 1.0, false, true } };
 }
@@ -83,6 +89,12 @@ struct WaterOrderedScene : public WaterTestScene
     this->Water->GetWaterProperty()->SetRefraction(look.IsClear);
     this->Water->GetWaterProperty()->SetOpacity(look.IsTranslucent ? 0.6 : 1.0);
     this->Water->GetProperty()->SetOpacity(look.IsFaint ? 0.6 : 1.0);
+    if (look.IsPlain)
+    {
+      vtkNew<vtkCallbackCommand> nothing; // the error is asked for, not printed
+      nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+      this->Water->AddObserver(vtkCommand::ErrorEvent, nothing);
+    }
     if (look.IsSubmerged)
     {
       this->Renderer->GetActiveCamera()->SetPosition(3, -15, -0.9);
@@ -194,9 +206,15 @@ inline bool WaterCheckEngine(const WaterEngine& engine, vtkMultiProcessControlle
       scene.Blacken();
     }
     engine.Arrange(scene, controller);
-    const std::vector<unsigned char> picture = scene.Show();
+    std::vector<unsigned char> picture = scene.Show();
+    if (look.IsPlain)
+    {
+      scene.Water->GetWaterProperty()->SetReflectance(0.01 * (rank + 1));
+      scene.Water->GetWaterProperty()->SetReflectanceModeToConstant();
+      picture = scene.Show();
+    }
     const std::string error = scene.Water->GetLastError();
-    if (!error.empty())
+    if (error.empty() == look.IsPlain)
     {
       std::cerr << engine.Name << ", " << look.Name << ", rank " << rank << ": " << error
                 << std::endl;
@@ -212,6 +230,9 @@ inline bool WaterCheckEngine(const WaterEngine& engine, vtkMultiProcessControlle
       serial.Water->GetReflectionPass()->KeepBackground(serial.Renderer);
       serial.Blacken();
     }
+    vtkNew<vtkDummyController> mute; // without a communicator: an error
+    mute->SetCommunicator(nullptr);
+    serial.Water->GetReflectionPass()->SetController(look.IsPlain ? mute.Get() : nullptr);
     const std::vector<unsigned char> expected = serial.Show();
     const WaterDifference found = WaterCompare(picture, expected);
     WaterLeave(engine.Name + " " + look.Name, picture, scene.Window);
