@@ -9,12 +9,14 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkCompositedSynchronizedRenderers.h"
+#include "vtkMath.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkWaterReflectionPass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -155,6 +157,42 @@ bool ShowsMeshes(vtkMultiProcessController* controller)
   return isGood;
 }
 
+// The same of how the extent is chosen, and of the rank's part of the space.
+bool SaysDifferentParts(Part& part)
+{
+  vtkWaterActor* water = part.Scene.Water;
+  vtkWaterReflectionPass* pass = water->GetReflectionPass();
+  if (part.IsLast)
+  {
+    water->SetSheetToAutomatic();
+  }
+  bool isGood = part.Says("an extent of its own", "automatic");
+  water->SetSheetToAutomatic();
+  isGood = part.Says("extents by the ground", "") && isGood;
+  water->GetPlane()->SetOrigin(0.0, 0.0, 0.1);
+  isGood = part.Says("another level", "") && isGood;
+  water->GetPlane()->SetNormal(0.0, 0.1, 1.0);
+  isGood = part.Says("another plane", "") && isGood;
+  water->GetPlane()->SetNormal(0.0, 0.0, 1.0);
+  water->GetPlane()->SetOrigin(0.0, 0.0, 0.0);
+  water->ResetSheetBounds();
+  const double all[6] = { -99.0, 99.0, -99.0, 99.0, -99.0, 99.0 };
+  if (part.IsLast)
+  {
+    pass->SetRankRegion(all);
+  }
+  isGood = part.Says("a region of its own", "RankRegion") && isGood;
+  pass->SetRankRegion(all);
+  isGood = part.Says("regions of all", "") && isGood;
+  Hush(pass);
+  const double none[6] = { -99.0, 99.0, vtkMath::Nan(), 99.0, -99.0, 99.0 };
+  pass->SetRankRegion(none);
+  isGood = part.Says("a region that is none", "") && isGood;
+  isGood = std::equal(all, all + 6, pass->GetRankRegion()) && isGood;
+  pass->ResetRankRegion();
+  return part.Says("no regions", "") && isGood;
+}
+
 // What differs on one rank is said by all, and is over when it is mended.
 bool SaysErrors(vtkMultiProcessController* controller)
 {
@@ -178,6 +216,7 @@ bool SaysErrors(vtkMultiProcessController* controller)
   pass->SetFarthestRank(part.IsLast ? kRanks : kRanks - 1);
   isGood = part.Says("the number of the root counts", "") && isGood;
   pass->SetFarthestRank(-1);
+  isGood = SaysDifferentParts(part) && isGood;
   for (const bool isClear : { false, true })
   {
     property->SetRefraction(isClear);
