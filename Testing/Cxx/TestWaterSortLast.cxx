@@ -14,6 +14,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkWaterGL.h"
 #include "vtkWaterReflectionPass.h"
 
 #include <algorithm>
@@ -193,6 +194,33 @@ bool SaysDifferentParts(Part& part)
   return part.Says("no regions", "") && isGood;
 }
 
+// An eye under water sees haze where a rank has nothing. Engines that leave out pixels without a
+// depth need one there, and whatever is drawn later the usual range of depths.
+bool HasDepthOfHaze(vtkMultiProcessController* controller)
+{
+  bool isGood = true;
+  for (const bool isBlended : { false, true })
+  {
+    Part part(controller);
+    part.Scene.Water->GetWaterProperty()->RefractionOn();
+    part.Scene.Water->SetSheetToHorizon();
+    part.Scene.Water->GetReflectionPass()->SetFarthestRank(isBlended ? 0 : -1);
+    part.Scene.Renderer->GetActiveCamera()->SetPosition(3.0, -15.0, -0.9);
+    part.Scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, -2.0);
+    isGood = part.Says("from below", "") && isGood;
+    const int* size = part.Scene.Window->GetSize();
+    std::vector<float> depths(static_cast<size_t>(size[0] * size[1]));
+    part.Scene.Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths.data());
+    const float farthest = *std::max_element(depths.begin(), depths.end());
+    const bool isRight = isBlended ? farthest >= 1.0f : farthest < 1.0f && farthest > 0.999999f;
+    double range[2];
+    glGetDoublev(GL_DEPTH_RANGE, range);
+    isGood = isGood && isRight && range[0] == 0.0 && range[1] == 1.0;
+    std::cerr << (isRight ? "" : "no depth of haze\n");
+  }
+  return isGood;
+}
+
 // What differs on one rank is said by all, and is over when it is mended.
 bool SaysErrors(vtkMultiProcessController* controller)
 {
@@ -283,6 +311,7 @@ bool Run(const WaterSocketRank& self)
   bool isGood = opaque <= floor + kShare && clear <= floor + kShare;
   isGood = ShowsMeshes(dummy) && isGood;
   isGood = SaysErrors(dummy) && isGood;
+  isGood = HasDepthOfHaze(dummy) && isGood;
   return Forgets(dummy) && isGood;
 }
 }
