@@ -9,12 +9,15 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkCompositedSynchronizedRenderers.h"
+#include "vtkMath.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkWaterGL.h"
 #include "vtkWaterReflectionPass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -155,6 +158,69 @@ bool ShowsMeshes(vtkMultiProcessController* controller)
   return isGood;
 }
 
+// The same of how the extent is chosen, and of the rank's part of the space.
+bool SaysDifferentParts(Part& part)
+{
+  vtkWaterActor* water = part.Scene.Water;
+  vtkWaterReflectionPass* pass = water->GetReflectionPass();
+  if (part.IsLast)
+  {
+    water->SetSheetToAutomatic();
+  }
+  bool isGood = part.Says("an extent of its own", "automatic");
+  water->SetSheetToAutomatic();
+  isGood = part.Says("extents by the ground", "") && isGood;
+  water->GetPlane()->SetOrigin(0.0, 0.0, 0.1);
+  isGood = part.Says("another level", "") && isGood;
+  water->GetPlane()->SetNormal(0.0, 0.1, 1.0);
+  isGood = part.Says("another plane", "") && isGood;
+  water->GetPlane()->SetNormal(0.0, 0.0, 1.0);
+  water->GetPlane()->SetOrigin(0.0, 0.0, 0.0);
+  water->ResetSheetBounds();
+  const double all[6] = { -99.0, 99.0, -99.0, 99.0, -99.0, 99.0 };
+  if (part.IsLast)
+  {
+    pass->SetRankRegion(all);
+  }
+  isGood = part.Says("a region of its own", "RankRegion") && isGood;
+  pass->SetRankRegion(all);
+  isGood = part.Says("regions of all", "") && isGood;
+  Hush(pass);
+  const double none[6] = { -99.0, 99.0, vtkMath::Nan(), 99.0, -99.0, 99.0 };
+  pass->SetRankRegion(none);
+  isGood = part.Says("a region that is none", "") && isGood;
+  isGood = std::equal(all, all + 6, pass->GetRankRegion()) && isGood;
+  pass->ResetRankRegion();
+  return part.Says("no regions", "") && isGood;
+}
+
+// An eye under water sees haze where a rank has nothing. Engines that leave out pixels without a
+// depth need one there, and whatever is drawn later the usual range of depths.
+bool HasDepthOfHaze(vtkMultiProcessController* controller)
+{
+  bool isGood = true;
+  for (const bool isBlended : { false, true })
+  {
+    Part part(controller);
+    part.Scene.Water->GetWaterProperty()->RefractionOn();
+    part.Scene.Water->SetSheetToHorizon();
+    part.Scene.Water->GetReflectionPass()->SetFarthestRank(isBlended ? 0 : -1);
+    part.Scene.Renderer->GetActiveCamera()->SetPosition(3.0, -15.0, -0.9);
+    part.Scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, -2.0);
+    isGood = part.Says("from below", "") && isGood;
+    const int* size = part.Scene.Window->GetSize();
+    std::vector<float> depths(static_cast<size_t>(size[0] * size[1]));
+    part.Scene.Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths.data());
+    const float farthest = *std::max_element(depths.begin(), depths.end());
+    const bool isRight = isBlended ? farthest >= 1.0f : farthest < 1.0f && farthest > 0.999999f;
+    double range[2];
+    glGetDoublev(GL_DEPTH_RANGE, range);
+    isGood = isGood && isRight && range[0] == 0.0 && range[1] == 1.0;
+    std::cerr << (isRight ? "" : "no depth of haze\n");
+  }
+  return isGood;
+}
+
 // What differs on one rank is said by all, and is over when it is mended.
 bool SaysErrors(vtkMultiProcessController* controller)
 {
@@ -178,6 +244,7 @@ bool SaysErrors(vtkMultiProcessController* controller)
   pass->SetFarthestRank(part.IsLast ? kRanks : kRanks - 1);
   isGood = part.Says("the number of the root counts", "") && isGood;
   pass->SetFarthestRank(-1);
+  isGood = SaysDifferentParts(part) && isGood;
   for (const bool isClear : { false, true })
   {
     property->SetRefraction(isClear);
@@ -244,6 +311,7 @@ bool Run(const WaterSocketRank& self)
   bool isGood = opaque <= floor + kShare && clear <= floor + kShare;
   isGood = ShowsMeshes(dummy) && isGood;
   isGood = SaysErrors(dummy) && isGood;
+  isGood = HasDepthOfHaze(dummy) && isGood;
   return Forgets(dummy) && isGood;
 }
 }

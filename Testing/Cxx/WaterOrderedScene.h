@@ -8,6 +8,8 @@
 #include "WaterRankScene.h"
 #include "WaterTestScene.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkDummyController.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPlaneSource.h"
@@ -87,6 +89,12 @@ struct WaterOrderedScene : public WaterTestScene
     this->Water->GetWaterProperty()->SetRefraction(look.IsClear);
     this->Water->GetWaterProperty()->SetOpacity(look.IsTranslucent ? 0.6 : 1.0);
     this->Water->GetProperty()->SetOpacity(look.IsFaint ? 0.6 : 1.0);
+    if (look.IsPlain)
+    {
+      vtkNew<vtkCallbackCommand> nothing; // the error is asked for, not printed
+      nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+      this->Water->AddObserver(vtkCommand::ErrorEvent, nothing);
+    }
     if (look.IsSubmerged)
     {
       this->Renderer->GetActiveCamera()->SetPosition(3, -15, -0.9);

@@ -75,9 +75,11 @@ extern "C"
     "and not negative")                                                                            \
   X(WATER_RANKS_DIFFERENT_VERSIONS, "all ranks must run the same version of the water")            \
   X(WATER_RANKS_DIFFERENT_WATERS,                                                                  \
-    "all ranks must show the same waters: as many of them, visible on all or on none")             \
+    "all ranks must show the same waters: as many of them, visible on all or on none, and with "   \
+    "an automatic extent on all or on none")                                                       \
   X(WATER_RANKS_DIFFERENT_LOOKS,                                                                   \
-    "a water must have the same plane, look, time and settings on all ranks")                      \
+    "a water must have the same plane, look, time and settings on all ranks, and a RankRegion on " \
+    "all or on none")                                                                              \
   X(WATER_RANKS_BAD_WATER, "a water must be without an error on all ranks")                        \
   X(WATER_RANKS_NO_SUCH_RANK, "FarthestRank must be one of the controller's ranks, or -1")         \
   X(WATER_RANKS_NO_COMMUNICATOR,                                                                   \

@@ -280,33 +280,57 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view, vtkInformati
                                                     : vtkWaterReflectionPass::EIGHT_BIT);
 }
 
+namespace
+{
+// A rank's part of the space. The outer ones have no end: the water may be wider than the data.
+// false: the part has no width.
+bool RegionOf(const vtkBoundingBox& box, const vtkBoundingBox& all, double region[6])
+{
+  if (!box.IsValid())
+  {
+    return false;
+  }
+  const double endless = std::numeric_limits<double>::infinity();
+  double outer[6];
+  box.GetBounds(region);
+  all.GetBounds(outer);
+  bool isWide = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    double* sides = region + 2 * i;
+    const double* ends = outer + 2 * i;
+    isWide = isWide && (sides[0] < sides[1] || ends[0] == ends[1]);
+    sides[0] = sides[0] == ends[0] ? -endless : sides[0];
+    sides[1] = sides[1] == ends[1] ? endless : sides[1];
+  }
+  return isWide;
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkPVWaterRepresentation::FindRegion(int rank)
 {
   const std::vector<vtkBoundingBox>& boxes = this->ServersInOrder->GetBoundingBoxes();
   vtkWaterReflectionPass* pass = this->Actor->GetReflectionPass();
-  if (!this->AreServersInOrder || rank < 0 || static_cast<size_t>(rank) >= boxes.size() ||
-    !boxes[static_cast<size_t>(rank)].IsValid())
-  {
-    pass->ResetRankRegion();
-    return;
-  }
   vtkBoundingBox all;
   for (const vtkBoundingBox& box : boxes)
   {
     all.AddBox(box);
   }
+  // all ranks have a region, or none: each of them looks at the boxes of all
+  const bool areRegions =
+    std::all_of(boxes.begin(), boxes.end(), [&all](const vtkBoundingBox& box) {
+      double region[6];
+      return RegionOf(box, all, region);
+    });
   double region[6];
-  double outer[6];
-  boxes[static_cast<size_t>(rank)].GetBounds(region);
-  all.GetBounds(outer);
-  // the water may be wider than the data
-  const double endless = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 6; ++i)
+  if (this->AreServersInOrder && rank >= 0 && static_cast<size_t>(rank) < boxes.size() &&
+    areRegions && RegionOf(boxes[static_cast<size_t>(rank)], all, region))
   {
-    region[i] = region[i] == outer[i] ? (i % 2 ? endless : -endless) : region[i];
+    pass->SetRankRegion(region);
+    return;
   }
-  pass->SetRankRegion(region);
+  pass->ResetRankRegion();
 }
 
 //------------------------------------------------------------------------------
