@@ -42,7 +42,7 @@ $composite
 Culled work, compared with drawing everything (SKIP_NONE). A prop is needed if one of its points above the plane has its
 mirror image on a pixel of water. Of the fragments, one is needed for each pixel of water that reflects something. This
 is a lower bound: to reach it, all fragments would have to be drawn front to back, which drawing prop by prop cannot do.
-Share: how much of the unneeded work is culled. On the water: how many fragments the same draws, in the same order, produce on the pixels of visible water (counted as on a GPU, with a mask of these pixels). The last column has the share of all other fragments that is culled.
+Share: how much of the unneeded work is culled. On the water: how many fragments lie on the pixels of visible water when everything that is not culled is drawn in the same order (counted as on a GPU, with a mask of these pixels). The last column has the culled share of those fragments that do not lie on the water.
 
 $shares
 """
