@@ -255,11 +255,10 @@ def test_no_comb_stands_behind_an_object(is_software, monkeypatch):
     wt.check_equal("pixels behind the post that differ from what is over and under them", int(is_tooth.sum()), 0)
 
 
-@pytest.mark.parametrize("is_software", (1, 0))
-def test_no_bars_stand_at_the_pictures_lower_border(is_software, monkeypatch):
+def test_no_bars_stand_at_the_pictures_lower_border(monkeypatch):
     """Rays that leave the picture at its lower border see a bed that fades to its mean: the colours of the last row that
-    is seen do not go on as bars with hard edges."""
-    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    is seen do not go on as bars with hard edges. In software: on a GPU this would take a tenth of the surface's time."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "1")
     view = wt.View(SIZE, WHITE)
     for column in range(-12, 12):
         for row in range(-12, 12):
@@ -270,7 +269,7 @@ def test_no_bars_stand_at_the_pictures_lower_border(is_software, monkeypatch):
     camera = wt.place_camera(view.renderer, (2.5, -18, 4), (0.5, 1.5, 0.0), (0.5, 90))
     camera.SetViewAngle(24)
     picture = view.picture().astype(int)
-    wt.save(picture.astype(np.uint8), wt.output_folder() / f"bars_{is_software}.png")
+    wt.save(picture.astype(np.uint8), wt.output_folder() / "bars.png")
     # of the rows that show the bed, one in the middle and the lowest
     edges = [int((np.abs(np.diff(picture[row, :, 1])) > 30).sum()) for row in (SIZE[1] // 4, 0)]
     wt.check_at_least("hard edges in a row that is seen", edges[0], 3)

@@ -96,6 +96,7 @@ def test_burnt_glitter_is_found(tmp_path):
         view.renderer.GetLights().GetItemAsObject(0).SetIntensity(intensity)
         look.SetHighlightRollOff(rolls)
         look.SetGlitter(glitters)
+        view.picture()
         water, _, burnt, kept = clipped.measure(view.window, vtkWindowToImageFilter)
         name = f"rolls off: {rolls}, glitter: {glitters}, sun of {intensity:g}"
         wt.check_equal(f"{name}: settings as before", (look.GetGlitter(), look.GetOutput(), look.GetHighlightRollOff()), (glitters, look.COLOR, rolls))

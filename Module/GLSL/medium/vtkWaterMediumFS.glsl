@@ -99,20 +99,10 @@ vec3 waterMediumStart(WaterPoint point)
 }
 
 // If a ray leaves the picture before it meets the bed: how much of the picture, to each side of the place where it leaves,
-// is like what it meets? The further beyond, the more: the colour of that place alone, for a column of rays, would be seen
-// as a bar.
+// is like what it meets? Of the slot refraction.
 //
 // dir  of the ray, in the plane's axes
-vec2 waterMediumAside(vec3 dir, WaterMediumRay ray, WaterMediumMet met)
-{
-  float way = waterMediumHeight(met.view.from, met.depth) / dir.z; // to a level bed as deep as there
-  vec2 size = waterMediumSize();
-  vec2 end = ray.start.xy + way / max(ray.w + way * ray.rate, 1e-6) * ray.way.xy;
-  vec2 along = ray.way.xy * size / max(length(ray.way.xy * size), 1e-6);
-  float beyond = max(dot((end - met.view.from) * size, along), 0.0); // pixels
-  bool isBed = met.depth < 1.0 && way > 0.0 && waterSide > 0.0;
-  return met.view.isOut && isBed ? WATER_MEDIUM_ASIDE * beyond * vec2(-along.y, along.x) / size : vec2(0.0);
-}
+vec2 waterMediumAside(vec3 dir, WaterMediumRay ray, WaterMediumMet met);
 
 // A ray that leaves the water without having met its bed meets what lies under the water's border, as if that went on.
 //
@@ -179,27 +169,8 @@ float waterMediumLight(WaterPoint point, vec3 dir, float way)
   return waterCaustic(ndc, w, -way * dir.z, point.ndc);
 }
 
-// Color at the first place of what a ray meets, or the mean of the same bed to its sides.
-vec3 waterMediumFrom(WaterMediumMet met)
-{
-  float count = WATER_MEDIUM_PLACE;
-  vec3 sum = count * waterMediumColor(met.view.from, met.depth);
-  float height = waterMediumHeight(met.view.from, met.depth);
-  int places = met.aside == vec2(0.0) ? 0 : WATER_MEDIUM_PLACES;
-  vec2 back = vec2(met.aside.y, -met.aside.x) * waterMediumSize().yx / waterMediumSize(); // where the ray comes from
-  for (int i = 0; i < places; ++i)
-  {
-    // a lattice of rank one
-    vec2 part = vec2(2.0 * fract(0.618034 * (float(i) + 0.5)) - 1.0, (float(i) + 0.5) / float(WATER_MEDIUM_PLACES));
-    vec2 place = waterMediumMiddle(met.view.from + part.x * met.aside + part.y * back);
-    float depth = waterMediumDepth(place);
-    bool isBed = depth < 1.0 && abs(waterMediumHeight(place, depth) - height) < WATER_MEDIUM_ALIKE * -height;
-    float weight = isBed ? (1.0 - abs(part.x)) * (1.0 - part.y) : 0.0; // the furthest change from row to row the most
-    sum += weight * textureLod(waterSceneColor, place, 0.0).rgb;
-    count += weight;
-  }
-  return sum / count;
-}
+// Color at the first place of what a ray meets, or the mean of the same bed to its sides; of the slot refraction.
+vec3 waterMediumFrom(WaterMediumMet met);
 
 // What a refracted ray sees with the translucent things on its way; of the slot below.
 vec3 waterThroughBelowLayer(WaterPoint point, vec3 dir, vec3 behind);

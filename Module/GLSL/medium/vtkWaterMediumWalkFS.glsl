@@ -181,3 +181,37 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
   return view;
 }
+
+// The further a ray goes on beyond the picture, the more of the picture is like what it meets: the colour of one place, for a
+// column of rays, would be seen as a bar.
+vec2 waterMediumAside(vec3 dir, WaterMediumRay ray, WaterMediumMet met)
+{
+  float way = waterMediumHeight(met.view.from, met.depth) / dir.z; // to a level bed as deep as there
+  vec2 size = waterMediumSize();
+  vec2 end = ray.start.xy + way / max(ray.w + way * ray.rate, 1e-6) * ray.way.xy;
+  vec2 along = ray.way.xy * size / max(length(ray.way.xy * size), 1e-6);
+  float beyond = max(dot((end - met.view.from) * size, along), 0.0); // pixels
+  bool isBed = met.depth < 1.0 && way > 0.0 && waterSide > 0.0;
+  return met.view.isOut && isBed ? WATER_MEDIUM_ASIDE * beyond * vec2(-along.y, along.x) / size : vec2(0.0);
+}
+
+vec3 waterMediumFrom(WaterMediumMet met)
+{
+  float count = WATER_MEDIUM_PLACE;
+  vec3 sum = count * waterMediumColor(met.view.from, met.depth);
+  float height = waterMediumHeight(met.view.from, met.depth);
+  int places = met.aside == vec2(0.0) ? 0 : WATER_MEDIUM_PLACES;
+  vec2 back = vec2(met.aside.y, -met.aside.x) * waterMediumSize().yx / waterMediumSize(); // where the ray comes from
+  for (int i = 0; i < places; ++i)
+  {
+    // a lattice of rank one
+    vec2 part = vec2(2.0 * fract(0.618034 * (float(i) + 0.5)) - 1.0, (float(i) + 0.5) / float(WATER_MEDIUM_PLACES));
+    vec2 place = waterMediumMiddle(met.view.from + part.x * met.aside + part.y * back);
+    float depth = waterMediumDepth(place);
+    bool isBed = depth < 1.0 && abs(waterMediumHeight(place, depth) - height) < WATER_MEDIUM_ALIKE * -height;
+    float weight = isBed ? (1.0 - abs(part.x)) * (1.0 - part.y) : 0.0; // the furthest change from row to row the most
+    sum += weight * textureLod(waterSceneColor, place, 0.0).rgb;
+    count += weight;
+  }
+  return sum / count;
+}
