@@ -246,12 +246,9 @@ void vtkWaterActor::Internals::SetIsDrawing(bool isDrawing)
 
 namespace
 {
-// Water to the horizon reaches beyond all that is under it. With the picture alone, what hides a
-// ray hides a bed as likely as deep water.
 bool IsOpen(const vtkWaterSnapshot& water)
 {
-  return water.Look.Bed == WATER_UNITS_BED_NONE ||
-    (water.IsEndless && water.Look.RefractionSource != WATER_FROM_PICTURE);
+  return water_beyond_is_open(water.Look.Bed, water.IsEndless, water.Look.RefractionSource);
 }
 
 water_feature_set FeaturesOf(const vtkWaterSnapshot& water)

@@ -436,7 +436,17 @@ TEST(layer_is_kept_unless_ranks_or_a_gpus_volumes_forbid_it)
   assert_false(water_beyond_keeps_layer(false, false, true));
 }
 
-TESTS(layer_is_kept_unless_ranks_or_a_gpus_volumes_forbid_it,
+// Without ground under it, or to the horizon unless the picture alone is refracted.
+TEST(open_water_reaches_beyond_its_ground)
+{
+  assert_true(water_beyond_is_open(WATER_UNITS_BED_NONE, false, WATER_FROM_PICTURE));
+  assert_true(water_beyond_is_open(WATER_UNITS_BED_UNEVEN, true, WATER_FROM_AUTOMATIC));
+  assert_true(water_beyond_is_open(WATER_UNITS_BED_FLAT, true, WATER_FROM_OWN_VIEW));
+  assert_false(water_beyond_is_open(WATER_UNITS_BED_UNEVEN, true, WATER_FROM_PICTURE));
+  assert_false(water_beyond_is_open(WATER_UNITS_BED_UNEVEN, false, WATER_FROM_AUTOMATIC));
+}
+
+TESTS(open_water_reaches_beyond_its_ground, layer_is_kept_unless_ranks_or_a_gpus_volumes_forbid_it,
   plumb_lines_reach_to_where_they_vanish, a_picture_larger_than_textures_has_none,
   tiles_have_a_view_of_their_own, a_low_eye_looks_down_by_less_than_thirty_degrees,
   band_of_a_tile_is_that_of_the_picture, the_pictures_pixels_are_pixels_of_the_own_view,

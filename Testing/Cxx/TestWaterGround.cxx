@@ -2,11 +2,11 @@
 // What a process knows of its ground holds whatever came before: a rank whose join was not ended,
 // or was ended by an exception, reads its ground anew once it goes on alone. So it does with other
 // ranks.
+#include "WaterBasin.h"
 #include "WaterTestScene.h"
 
 #include "vtkWaterGround.h"
 
-#include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 
 #include <stdexcept>
@@ -37,22 +37,8 @@ vtkStandardNewMacro(ThrowingActor);
 // A basin whose rim is over the water.
 vtkSmartPointer<ThrowingActor> MakeBasin()
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-9.0, -9.0, 0.0);
-  plane->SetPoint1(9.0, -9.0, 0.0);
-  plane->SetPoint2(-9.0, 9.0, 0.0);
-  plane->SetResolution(72, 72);
-  plane->Update();
-  vtkPolyData* made = plane->GetOutput();
-  for (vtkIdType i = 0; i < made->GetNumberOfPoints(); ++i)
-  {
-    double at[3];
-    made->GetPoint(i, at);
-    at[2] = 0.016 * (at[0] * at[0] + at[1] * at[1]) - 0.8;
-    made->GetPoints()->SetPoint(i, at);
-  }
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(made);
+  mapper->SetInputData(WaterMakeBasin(-9.0, -9.0, 18.0, 72));
   auto basin = vtkSmartPointer<ThrowingActor>::New();
   basin->SetMapper(mapper);
   return basin;

@@ -4,6 +4,7 @@
 // ground by which a sheet chooses its extent. Each rank
 // has some of the things; the picture that they make together by depth is compared with the serial
 // one. The processes are forked and talk over sockets: no MPI is needed.
+#include "WaterBasin.h"
 #include "WaterPictures.h"
 #include "WaterRankScene.h"
 #include "WaterSocketRanks.h"
@@ -13,7 +14,6 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkLight.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkWaterReflectionPass.h"
 
@@ -90,24 +90,8 @@ void AddBasin(vtkRenderer* renderer)
 {
   for (int i = 0; i < 36; ++i)
   {
-    vtkNew<vtkPlaneSource> part;
-    const double x = 3.0 * (i % 6) - 9.0;
-    const double y = 3.0 * (i / 6) - 9.0;
-    part->SetOrigin(x, y, 0.0);
-    part->SetPoint1(x + 3.0, y, 0.0);
-    part->SetPoint2(x, y + 3.0, 0.0);
-    part->SetResolution(12, 12);
-    part->Update();
-    vtkPolyData* made = part->GetOutput();
-    for (vtkIdType k = 0; k < made->GetNumberOfPoints(); ++k)
-    {
-      double at[3];
-      made->GetPoint(k, at);
-      at[2] = 0.016 * (at[0] * at[0] + at[1] * at[1]) - 0.8;
-      made->GetPoints()->SetPoint(k, at);
-    }
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(made);
+    mapper->SetInputData(WaterMakeBasin(3.0 * (i % 6) - 9.0, 3.0 * (i / 6) - 9.0, 3.0, 12));
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(0.6, 0.5, 0.3);

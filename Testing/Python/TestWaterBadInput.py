@@ -168,6 +168,8 @@ REFUSALS = (
     *((MIRROR, "ClipMargin", value, "[0, ") for value in (-1.0, NAN, INFINITY)),
     *((MIRROR, "GuardBand", value, "[1, 2]") for value in (0.5, 2.5, NAN)),
     (MIRROR, "MultiSamples", -2, "[-1, 32]"),
+    *((MIRROR, "RankRegion", (box,), f"({box[0]:g}, {box[1]:g}, ")
+      for box in ((2.0, 1.0, 0.0, 1.0, 0.0, 1.0), (0.0, 1.0, 3.0, 3.0, 0.0, 1.0), (0.0, 1.0, 0.0, 1.0, NAN, 1.0))),
     *((WATER, "Level", value, "finite") for value in (NAN, INFINITY)),
     *((WATER, "SheetBounds", value, "finite") for value in ((1.0, -1.0, 0.0, 2.0), (0.0, NAN, 0.0, 1.0))),
 )

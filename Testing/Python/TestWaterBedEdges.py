@@ -231,17 +231,22 @@ def test_behind_an_object_the_bed_goes_on(is_software, monkeypatch):
     wt.check_at_most("% of them that differ by more than 20 of 255", 100 * float((off > 20).mean()), 5)
 
 
+def add_chequered_bed(view):
+    """A bed of light and dark tiles, 2 m wide, at a depth of 2 m."""
+    for column in range(-12, 12):
+        for row in range(-12, 12):
+            shade = (0.9, 0.9, 0.8) if (column + row) % 2 else (0.3, 0.3, 0.3)
+            tile = wt.add_actor(view.renderer, wt.box((2 * column + 1, 2 * row + 1, -2.05), (2, 2, 0.1)), shade)
+            tile.GetProperty().LightingOff()
+
+
 @pytest.mark.parametrize("is_software", (1, 0))
 def test_no_comb_stands_behind_an_object(is_software, monkeypatch):
     """Where an object hides the bed, rows of pixels show the same edge of the object's outline: no row differs from both of
     its neighbours."""
     monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
     view = wt.View(SIZE, WHITE)
-    for column in range(-12, 12):
-        for row in range(-12, 12):
-            shade = (0.9, 0.9, 0.8) if (column + row) % 2 else (0.3, 0.3, 0.3)
-            tile = wt.add_actor(view.renderer, wt.box((2 * column + 1, 2 * row + 1, -2.05), (2, 2, 0.1)), shade)
-            tile.GetProperty().LightingOff()
+    add_chequered_bed(view)
     post = wt.add_actor(view.renderer, wt.box((0.3, 0, 0), (1.8, 1.8, 4.2)), (0.9, 0.0, 0.0))
     post.GetProperty().LightingOff()
     clear_water(view, (-24, 24, -24, 24))
@@ -260,11 +265,7 @@ def test_no_bars_stand_at_the_pictures_lower_border(monkeypatch):
     is seen do not go on as bars with hard edges. In software: on a GPU this would take a tenth of the surface's time."""
     monkeypatch.setenv("VTK_WATER_SOFTWARE", "1")
     view = wt.View(SIZE, WHITE)
-    for column in range(-12, 12):
-        for row in range(-12, 12):
-            shade = (0.9, 0.9, 0.8) if (column + row) % 2 else (0.3, 0.3, 0.3)
-            tile = wt.add_actor(view.renderer, wt.box((2 * column + 1, 2 * row + 1, -2.05), (2, 2, 0.1)), shade)
-            tile.GetProperty().LightingOff()
+    add_chequered_bed(view)
     clear_water(view, (-24, 24, -24, 24))
     camera = wt.place_camera(view.renderer, (2.5, -18, 4), (0.5, 1.5, 0.0), (0.5, 90))
     camera.SetViewAngle(24)

@@ -27,6 +27,11 @@ bool water_beyond_is_low(const water_plane* plane, const double eye[3], const do
     -water_vec3_dot(unit.normal, ahead) < low_sine;
 }
 
+bool water_beyond_is_open(water_units_bed bed, bool is_endless, water_refraction_source source)
+{
+  return bed == WATER_UNITS_BED_NONE || (is_endless && source != WATER_FROM_PICTURE);
+}
+
 bool water_beyond_is_wanted(
   water_refraction_source source, bool is_open, bool is_low, const int tile_scale[2])
 {

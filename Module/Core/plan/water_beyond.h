@@ -8,6 +8,7 @@
 
 #include "water_status.h"
 #include "water_types.h"
+#include "water_units.h"
 
 #ifdef __cplusplus
 extern "C"
@@ -30,10 +31,15 @@ typedef enum water_refraction_source
 // ahead  unit vector along which the camera looks
 bool water_beyond_is_low(const water_plane* plane, const double eye[3], const double ahead[3]);
 
+// Is it known that not all of the water has ground under it? Water to the horizon reaches beyond
+// all that is under it. With the picture alone, what hides a ray hides a bed as likely as deep
+// water.
+bool water_beyond_is_open(water_units_bed bed, bool is_endless, water_refraction_source source);
+
 // Is what lies beyond drawn in a view of its own? Always for a tile of a picture: refracted rays
 // leave a tile, and the tiles beside it are not there to be looked up.
 //
-// is_open     it is known that not all of the water has ground under it: it reaches to the horizon
+// is_open     water_beyond_is_open
 // is_low      water_beyond_is_low
 // tile_scale  as in water_scene
 bool water_beyond_is_wanted(

@@ -2,6 +2,10 @@
 // vtkWaterMediumWalkFS.glsl: slot refraction for software renderers, where a branch costs as much untaken;
 // vtkWaterHardwareMediumFS.glsl is the same for hardware.
 
+const float WATER_MEDIUM_ASIDE = 0.7;    // of how far a ray goes on unseen
+const int WATER_MEDIUM_PLACES = 16;      // of a mean
+const float WATER_MEDIUM_PLACE = 0.25;   // weight of the first
+const float WATER_MEDIUM_ALIKE = 0.25;   // depths of a bed differ by less of one of them
 const int WATER_MEDIUM_HALVINGS = 5;
 const int WATER_MEDIUM_TRIES = 2;    // so many steps may be halved
 const float WATER_MEDIUM_JUMP = 1.2; // how much further than to where the ray was in front
