@@ -56,17 +56,6 @@ class TestRanks(unittest.TestCase):
             self.check_picture(name, count, "-animation", "-animation")
             self.check_counts(said)
 
-    @unittest.skipUnless(SCENE == "balls", "ranks divide translucent water where their pictures are blended in an order")
-    def test_translucent_water(self):
-        """It does not hide what other ranks draw in it."""
-        ranks.batch(1, "balls-faint-1", "--look", SCENE, "--opacity", "0.5")
-        for count in (2, 4):
-            name = "balls-faint-%d" % count
-            ranks.batch(count, name, "--look", SCENE, "--opacity", "0.5")
-            dry, wet = ranks.rms(SCENE + "-dry-1", self.floors[count]), ranks.rms("balls-faint-1", name)
-            print("%s: RMS %.3f of 255, %.3f without water" % (name, wet, dry))
-            self.assertLessEqual(wet, dry + 1.0)
-
     def test_pvserver(self):
         """It renders, then the client does, then the server again, and all frames of an animation."""
         for count in SERVERS[SCENE]:

@@ -43,7 +43,6 @@ def main():
     parser.add_argument("name")
     parser.add_argument("--dry", action="store_true")
     parser.add_argument("--look", choices=("calm", "sea", "basin", "balls"), default="calm")
-    parser.add_argument("--opacity", type=float, help="of the water; ends with the first picture")
     parser.add_argument("--server")
     options = parser.parse_args()
     water_scene.begin(options.server)
@@ -58,13 +57,7 @@ def main():
     shown, rise = (basin if options.look == "basin" else mountains)(view, options)
     pv.Render(view)
     pv.Render(view)
-    if options.opacity:
-        shown.Opacity = options.opacity
-        pv.Render(view)
     water_scene.picture(view, options.name, SIZE)
-    if options.opacity:
-        print("the end", flush=True)
-        return
     if options.server:
         for name, threshold in (("-local", 1e6), ("-remote-again", 0.0)):
             view.RemoteRenderThreshold = threshold
