@@ -60,9 +60,10 @@ public:
 
   ///@{
   /**
-   * Makes the water a horizontal plane at height z with +z up, in the scene's unit. Any finite
-   * value; another value is rejected with an error and the level stays unchanged. This call
-   * replaces the plane by a new one. GetLevel returns the z of the plane's origin. Default is 0.
+   * Makes the water a horizontal plane at height z with +z up, in the scene's unit. A finite
+   * value, at most 1e100 in size (the water reports an error for a larger one). Values that are not
+   * finite are rejected with an error and the level stays unchanged. This call replaces the plane
+   * with a new one. GetLevel returns the z of the plane's origin. Default is 0.
    */
   void SetLevel(double z);
   double GetLevel();
@@ -128,7 +129,7 @@ public:
   /**
    * The look of the water. Never null: nullptr creates a new default one. ShallowCopy shares it; to
    * give a copy its own look, use vtkWaterProperty::DeepCopy. Do not confuse it with vtkActor's own
-   * property. Of that property, representation and culling keep their meaning, and its opacity
+   * property. That property's representation and culling keep their meaning; its opacity
    * multiplies the water's. Its diffuse colour (SetColor) becomes the water's colour unless it is
    * white, VTK's default, or vtkWaterProperty::SetDeepColor was called. Edges and lighting are not
    * used.
@@ -183,7 +184,7 @@ public:
    * again; two layers alternate. Where the velocity changes along this path, the waves are
    * stretched, less so with a shorter period. With a longer period, the eye can follow a wave
    * farther. The current hardly carries waves that are longer than the distance it covers in half a
-   * period. In [1e-3, 1e6]; another value is rejected with an error. Default is 4.
+   * period. In [1e-3, 1e6]; other values are rejected with an error. Default is 4.
    */
   void SetFlowPeriod(double seconds);
   vtkGetMacro(FlowPeriod, double);
@@ -194,10 +195,10 @@ public:
    * Name of an array of a user's mesh with the concentration of matter that the water carries, such
    * as sediment, algae or a dye: one number per point or cell, finite and not negative. It absorbs
    * and scatters light (MatterAbsorption, MatterScattering) in addition to the water itself. Needs
-   * vtkWaterProperty's Refraction, and a mapper with one data set. Each ray sees the concentration
-   * of the point of the surface where it enters the water, along its whole refracted path: after x
-   * metres exp(-(absorption + scattering) x) of the light remain. With the DeepColorMode MEDIUM the
-   * colour of deep water follows the matter; a given colour does not. An eye in the water looks
+   * vtkWaterProperty's Refraction, and a mapper with one data set. Along its whole refracted path,
+   * each ray sees the concentration at the point of the surface where it enters the water: after x
+   * metres exp(-(absorption + scattering) x) of the light remains. With the DeepColorMode MEDIUM
+   * the colour of deep water follows the matter; a given colour does not. An eye in the water looks
    * through clear water. Where the concentration is 0, the picture is the same as without the
    * array. Negative values and values that are not finite count as 0; one warning reports them. A
    * missing array, or one with several components, is reported as an error, once; the water is then
@@ -212,9 +213,9 @@ public:
   ///@{
   /**
    * What the matter of MatterArrayName absorbs, in 1/m per unit of its concentration, at 650, 550
-   * and 450 nm (red, green, blue): finite and not negative; other values are rejected with an
-   * error. Default is (0.0032, 0.0110, 0.0376): suspended mineral sediment with concentrations in
-   * g/m^3 (equal to mg/l).
+   * and 450 nm (red, green, blue): in [0, 1e9]; other values are rejected with an error. Default is
+   * (0.0032, 0.0110, 0.0376): suspended mineral sediment with concentrations in g/m^3 (equal to
+   * mg/l).
    *
    * Source: Babin et al. 2003.
    */
@@ -229,9 +230,9 @@ public:
   ///@{
   /**
    * What the matter of MatterArrayName scatters, in 1/m per unit of its concentration, at 650, 550
-   * and 450 nm (red, green, blue): finite and not negative; other values are rejected with an
-   * error. As for vtkWaterProperty's Scattering, count only light that is scattered backward; a dye
-   * scatters nothing. Default is (0.012, 0.012, 0.012), that of the sediment of MatterAbsorption.
+   * and 450 nm (red, green, blue): in [0, 1e9]; other values are rejected with an error. As for
+   * vtkWaterProperty's Scattering, count only light that is scattered backward; a dye scatters
+   * nothing. Default is (0.012, 0.012, 0.012), that of the sediment of MatterAbsorption.
    *
    * Source: Neukermans et al. 2012.
    */
@@ -272,7 +273,7 @@ public:
    * on, where hydraulic jumps have breaking rollers. BREAKING_INDEX: height of the waves over the
    * depth; foam begins at 0.78, where waves break on a level bed, and covers everything from 1.13
    * on, where they break on a slope of 1 in 20. Between the two values the cover increases
-   * linearly; this part has no source. Another number is rejected with an error. Default is COVER.
+   * linearly; this part has no source. Other numbers are rejected with an error. Default is COVER.
    *
    * Source: Chow 1959, "Open-Channel Hydraulics"; McCowan 1894; Weggel 1972.
    */
@@ -286,7 +287,7 @@ public:
 
   ///@{
   /**
-   * Time of the waves in seconds, in [-1e15, 1e15]; another value is rejected with an error. The
+   * Time of the waves in seconds, in [-1e15, 1e15]; other values are rejected with an error. The
    * picture depends only on this number, not on earlier frames. Default is 0.
    */
   void SetTime(double seconds);

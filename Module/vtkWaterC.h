@@ -15,7 +15,8 @@
  * Conventions. Handles are opaque. Delete each handle made by _new with _delete, in any order; NULL
  * may be deleted. Every function that can fail returns a status; vtk_water_status_text returns its
  * text. vtk_water_last_error describes the last failure in this thread, with the value and its
- * accepted range. A failed call changes nothing. No exception leaves a function. Output parameters
+ * accepted range. A failed call changes nothing, except that vtk_water_scene_render still draws the
+ * rest of the scene if a water cannot be drawn. No exception leaves a function. Output parameters
  * come last. Positions, levels and heights are in the scene's unit, which is a metre unless
  * vtk_water_actor_set_units sets another. Lengths marked with m are in metres. As in VTK, only one
  * thread at a time may use a scene and its contents.
@@ -217,8 +218,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_matter(
   vtk_water_actor* actor, const double* concentrations, size_t point_count);
 
 /* Sets what the matter absorbs and what it scatters back, each at 650, 550 and 450 nm in 1/m per
- * unit of its concentration, finite and not negative. Default: mineral sediment in g/m^3, {0.0032,
- * 0.0110, 0.0376} and {0.012, 0.012, 0.012}. */
+ * unit of its concentration, in [0, 1e9]. Default: mineral sediment in g/m^3, {0.0032, 0.0110,
+ * 0.0376} and {0.012, 0.012, 0.012}. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_matter_optics(
   vtk_water_actor* actor, const double absorption[3], const double scattering[3]);
 

@@ -125,7 +125,7 @@ vtk_water_status vtk_water_scene_set_sun(
     {
       return Fail(VTK_WATER_BAD_VALUE,
         "azimuth is " + TextOf(azimuth_deg) + " and elevation " + TextOf(elevation_deg) +
-          " degrees; they must be finite and in [0, 90]");
+          " degrees; the azimuth must be finite, and the elevation must lie in [0, 90]");
     }
     const std::string wrong = DescribeBadColor("color", rgb);
     if (!wrong.empty())

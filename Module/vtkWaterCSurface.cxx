@@ -37,9 +37,8 @@ vtk_water_status SetPointValues(vtk_water_actor* actor, const double* values, si
   {
     return Fail(VTK_WATER_BAD_VALUE,
       std::string("there are ") + what + " of " + std::to_string(count) + " points; " +
-        (mesh
-            ? "the surface has " + std::to_string(places)
-            : std::string("the water needs a surface of as many, by vtk_water_actor_set_surface")));
+        (mesh ? "the surface has " + std::to_string(places)
+              : std::string("first set a surface with as many (vtk_water_actor_set_surface)")));
   }
   if (values)
   {

@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Azimuth of the sun, in degrees from north (y) towards east (x), in [-360, 360]. Another value
-   * is rejected with an error. Default is 150.
+   * Azimuth of the sun, in degrees from north (y) towards east (x), in [-360, 360]. Other values
+   * are rejected with an error. Default is 150.
    */
   void SetAzimuth(double degrees);
   vtkGetMacro(Azimuth, double);
@@ -55,7 +55,7 @@ public:
   ///@{
   /**
    * Elevation of the sun above the horizon, in degrees in [0, 90]: the model is for daylight.
-   * Another value is rejected with an error. Default is 35.
+   * Other values are rejected with an error. Default is 35.
    */
   void SetElevation(double degrees);
   vtkGetMacro(Elevation, double);
@@ -64,7 +64,7 @@ public:
   ///@{
   /**
    * Turbidity of the air, in [2, 10]: the ratio of all scattered light to that scattered by air
-   * molecules alone. 2 is very clear, 3 clear, 6 warm and moist, 10 hazy. Another value is rejected
+   * molecules alone. 2 is very clear, 3 clear, 6 warm and moist, 10 hazy. Other values are rejected
    * with an error. Default is 2.
    */
   void SetTurbidity(double turbidity);
@@ -75,7 +75,7 @@ public:
   /**
    * Factor from luminances (kcd/m^2) to colours, finite and not negative. 0, the default, shows the
    * sky's mean as 0.3 of white, like a camera's automatic exposure. A clear sky at noon has a mean
-   * of about 7 kcd/m^2. Another value is rejected with an error.
+   * of about 7 kcd/m^2. Other values are rejected with an error.
    */
   void SetExposure(double exposure);
   vtkGetMacro(Exposure, double);
@@ -83,7 +83,7 @@ public:
 
   ///@{
   /**
-   * Width of the picture in pixels, in [16, 8192]; its height is half of that. Another value is
+   * Width of the picture in pixels, in [16, 8192]; its height is half of that. Other values are
    * rejected with an error. Default is 1024.
    */
   void SetWidth(int pixels);

@@ -11,7 +11,7 @@
  *     lakes.GetWater().GetWaterProperty().SetPreset("lake")
  *     lakes.AddTo(renderer)
  *
- * The water of a solver's mesh, from its arrays of level, depth and bed, is one call:
+ * The water of a solver's mesh, from its arrays of level, depth and bed, takes one call:
  *
  *     lakes.SetData(reader.GetOutputPort(), "zeta", "h", "")
  *
@@ -139,7 +139,7 @@ public:
    * different levels, or if a displayed array is NaN at a dry point next to water.
    *
    * Pickers, exporters and filters that use a water's mapper, or the vtkWaterSurfaceFilter, get the
-   * cut mesh, which is made on request. Another number is rejected with an error. Default is
+   * cut mesh, which is made on request. Other numbers are rejected with an error. Default is
    * CUT_AUTOMATIC.
    */
   void SetShoreCut(int cut);

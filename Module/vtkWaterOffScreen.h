@@ -9,7 +9,7 @@
  * Existing windows stay as they are.
  *
  * From 9.4 on, VTK itself chooses between GLX, EGL and OSMesa. There, and on systems without X,
- * this class does nothing: its functions return true and IsEnabled returns false.
+ * this class does nothing: Enable and EnableIfNeeded return true, IsEnabled returns false.
  *
  * The plugin vtkWaterOffScreenPlugin does the same for programs that do not use this module. VTK
  * loads it from the folder named by the environment variable VTK_AUTOLOAD_PATH.

@@ -17,12 +17,13 @@
  *
  * The blocks are vtkPolyData, the block of the largest part first, with all arrays and five arrays
  * of field data: "WaterPlaneOrigin" and "WaterPlaneNormal" (3 numbers each; the origin of a
- * horizontal plane is on the line along UpDirection through the world's origin; those of the rest
- * are of the horizontal plane through its lowest part), "WaterArea" (projected along UpDirection),
- * "WaterPartBounds" (6 numbers for each part) and "WaterIsRest" (1 for the rest, 0 for others).
- * Blocks that are not flat get point normals, unless the input has some. Lines, vertices, parts
- * without an area along UpDirection, and cells with coordinates that are not finite or over 1e100
- * are left out. A mesh with a cell that names a missing point is rejected with an error.
+ * horizontal plane is on the line along UpDirection through the world's origin; the rest has
+ * those of the horizontal plane through its lowest part), "WaterArea" (projected along
+ * UpDirection), "WaterPartBounds" (6 numbers for each part) and "WaterIsRest" (1 for the rest, 0
+ * for others). Blocks that are not flat get point normals, unless the input has some. Lines,
+ * vertices, parts without an area along UpDirection, and cells with coordinates that are not finite
+ * or over 1e100 are left out. A mesh with a cell that names a missing point is rejected with an
+ * error.
  *
  * Coincident points are not merged: apply vtkCleanPolyData to a mesh of separate triangles first.
  *

@@ -104,7 +104,7 @@ public:
    * view of the scene is rendered. What lies outside the picture or behind objects above the water
    * is guessed from what is near it, and translucent props and volumes are not visible through the
    * water. OWN_VIEW: an additional view of the scene beyond the surface, twice as wide and high as
-   * the picture and without everything on the near side of the water's plane. It is rendered when
+   * the picture and without anything on the near side of the water's plane. It is rendered when
    * the camera or the scene has changed, not when only the waves have. It shows cube axes and polar
    * axes, but no other labels. If the GPU has no memory for it, PICTURE is used. AUTOMATIC:
    * OWN_VIEW if the water reaches to the horizon (vtkWaterActor::SheetToHorizon, or
@@ -226,7 +226,7 @@ public:
    * scene is 4 to 8 m across, a larger one 20 to 40 m). With automatic units, waves shorter than
    * 1/400 of the scene are not shown, and GetWaveHeight agrees with what is shown. Without a
    * preset, light is attenuated as if the deepest bed were 30 m deep, or 120 m in a wide scene, ten
-   * times as wide as deep, whose heights often have another scale than its widths. A flat bed, such
+   * times as wide as deep, whose heights often differ in scale from its widths. A flat bed, such
    * as the floor of a pool or a tank, is treated as 5 m deep if the water's automatic sheet ends
    * with its ground. If the automatic sheet reaches to the horizon, the deepest part of the objects
    * in the water is treated as 10 m deep. Default is 1.
@@ -327,8 +327,8 @@ public:
   ///@{
   /**
    * Whether glitter brighter than white rolls off towards white (HighlightRollOff), so that it
-   * keeps its shape and the sun's colour. Glitter that takes up at most 0.72 of the range that is
-   * left below white does not change. The roll-off is always off if a pass of the renderer may
+   * keeps its shape and the sun's colour. Glitter that takes up at most 0.72 of the range left
+   * below white does not change. The roll-off is always off if a pass of the renderer may
    * apply tone mapping. Default is on.
    */
   void SetHighlightRollOff(bool rolls);
@@ -718,7 +718,7 @@ public:
 
   ///@{
   /**
-   * Life time of whitecaps, seconds in [0, 10]: foam stays where a crest of the sea broke, and
+   * Lifetime of whitecaps, seconds in [0, 10]: foam stays where a crest of the sea broke, and
    * after this time a share 1/e of it is left. Breaking crests and this older foam together cover
    * GetWhitecapCover of the surface on average. Only crests of the sea's first tile (SeaCascades)
    * leave foam behind. The foam depends only on the time (vtkWaterActor::SetTime), not on earlier
@@ -786,10 +786,10 @@ public:
   ///@{
   /**
    * Rays of the ray-traced lookup: the number of rays for a pixel whose neighbour has another
-   * colour, in [1, 16]. All other pixels have one. Pixels of rough water, which have several
-   * facets, have one, too. If this number is larger than 4, such a pixel has four where its colour
-   * differs from that of its neighbours. Unless RayTraceLayers is 2, GPUs ignore this setting,
-   * because it costs a quarter of the frame there. Default is 4.
+   * colour, in [1, 16]. All other pixels have one. A pixel of rough water, which has several
+   * facets, also has one if this number is at most 4. If the number is larger, it has four where
+   * its colour differs from that of its neighbours. Unless RayTraceLayers is 2, GPUs ignore this
+   * setting, because it costs a quarter of the frame there. Default is 4.
    */
   void SetRayTraceRays(int rays);
   vtkGetMacro(RayTraceRays, int);

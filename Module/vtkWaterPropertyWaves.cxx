@@ -40,8 +40,7 @@ void vtkWaterProperty::SetSlopeVariance(double along, double across, double dire
   {
     vtkErrorMacro("SlopeVariance is " << along << " along and " << across << " across " << direction
                                       << " degrees; the variances must lie in [0, "
-                                      << kLargestVariance
-                                      << "], not negative, and the direction be "
+                                      << kLargestVariance << "], and the direction must be "
                                       << "finite. They stay as they were.");
   }
   else if (!std::equal(variance, variance + 3, this->SlopeVariance))

@@ -139,7 +139,7 @@ void vtkWaterReflectionPass::SetController(vtkMultiProcessController* controller
     {
       vtkErrorMacro("the controller has 1 process, but MPI has started "
         << started << ": this rank reflects its own part of the scene alone. Set a controller of "
-        << "all ranks that share the scene, of the MPI that started them; or nullptr for a rank "
+        << "all ranks that share the scene, from the MPI that started them, or nullptr for a rank "
         << "that renders alone.");
     }
   }

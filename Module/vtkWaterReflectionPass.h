@@ -93,7 +93,7 @@ public:
     FACING_AWAY,
     HIDDEN, ///< other objects hide the water
     FAINT,  ///< see SetReflectanceError
-    SHARED, ///< a sheet of the same plane has the mirrored view; see its pass
+    SHARED, ///< another water in the same plane has the mirrored view; see its pass
     NUMBER_OF_DECISIONS
   };
 
@@ -107,7 +107,7 @@ public:
     HIDDEN_WATER = 1 << 1,    ///< the mirrored view of water that other objects hide
     FAINT_WATER = 1 << 2,     ///< the mirrored view of water that reflects almost nothing
     UNCHANGED_VIEWS = 1 << 3, ///< a mirrored view equal to the previous one
-    SHARED_VIEWS = 1 << 4,    ///< a mirrored view that another sheet of the same plane has
+    SHARED_VIEWS = 1 << 4,    ///< a mirrored view that another water in the same plane has
     PROPS = 1 << 5,           ///< props that no visible water reflects
     PIECES = 1 << 6,          ///< parts of large meshes, and blocks of composite data, that no
                               ///< visible water reflects
@@ -129,7 +129,7 @@ public:
   ///@{
   /**
    * Texture scale: pixels of the reflection texture per pixel of the viewport along each axis, in
-   * [1/64, 16]. Another value is rejected with an error and the last valid one stays. Default is 1.
+   * [1/64, 16]. Other values are rejected with an error and the last valid one stays. Default is 1.
    */
   void SetTextureScale(double scale);
   double GetTextureScale() const;
@@ -173,7 +173,7 @@ public:
   ///@{
   /**
    * Clip margin: how far behind the plane geometry is kept in the mirrored view, in the scene's
-   * unit: finite and not negative. Default is 0.
+   * unit: in [0, 1e100]. Default is 0.
    */
   void SetClipMargin(double margin);
   double GetClipMargin() const;
@@ -311,7 +311,7 @@ public:
    *
    * The last three use a ladder of eight steps, with texture scales from 1 to 0.25 instead of
    * TextureScale, and at most the ray steps that are set. They do not oscillate between two steps.
-   * On a software renderer, the GPU time is CPU time, including work deferred until then. Source:
+   * On a software renderer, the GPU time is CPU time, including deferred work. Source:
    * Documentation/decisions/010-quality.md. Default is FIXED.
    */
   void SetQuality(int quality);
@@ -366,7 +366,7 @@ public:
    * water has the controller.
    *
    * A mesh may be split over the ranks. Translucent props and volumes are blended rank by rank:
-   * each rank has a bounding box of its own ones, and the mirrored camera determines the order of
+   * those of each rank have a bounding box, and the mirrored camera determines the order of
    * these boxes. The result is correct if the boxes do not overlap. Pixels of textures (normal
    * maps, environment) are not compared.
    *
@@ -396,7 +396,7 @@ public:
 
   ///@{
   /**
-   * Rank whose picture shows the water, for engines that blend the ranks' pictures in an order and
+   * Rank whose picture shows the water, for engines that blend the ranks' pictures in order and
    * do not compare their depths: vtkCompositeRGBAPass, and vtkIceTCompositePass with ordered
    * compositing. It must be the rank that the engine treats as the farthest from the eye. Set it
    * before each frame in which it changes; all ranks use the number set on rank 0. The pictures of
@@ -413,7 +413,7 @@ public:
   ///@{
   /**
    * The part of space whose data this rank draws, for translucent water (an Opacity below 1, of the
-   * water or of its actor) and engines that blend the ranks' pictures in an order: a box (xmin,
+   * water or of its actor) and engines that blend the ranks' pictures in order: a box (xmin,
    * xmax, ymin, ymax, zmin, zmax) in world coordinates, such as a region of the engine's k-d tree.
    * Each rank then draws the water inside its own box, and all boxes together must contain all of
    * the water: a side without a neighbour is -infinity or infinity. Set it on all ranks. Opaque and

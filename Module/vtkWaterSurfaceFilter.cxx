@@ -315,7 +315,7 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
   {
     factor << " (its values are " << verdict.factor << " times as large as the others imply)";
   }
-  vtkWarningMacro("the array '" << name << "' seems to have another unit than the other heights"
+  vtkWarningMacro("the array '" << name << "' seems to differ in unit from the other heights"
                                 << factor.str() << ": "
                                 << (level ? RangeOf(this->LevelArrayName, level) + ", " : "")
                                 << RangeOf(this->BedArrayName, bed)
@@ -387,8 +387,8 @@ bool vtkWaterSurfaceFilter::ReadStep(vtkDataSet* input, vtkPolyData* mesh, vtkWa
   }
   if (dimension == 3)
   {
-    vtkErrorMacro("the mesh has cells of three dimensions; it must have two. Contour the free "
-                  "surface first, and give the water that as its mapper's input.");
+    vtkErrorMacro("the mesh has cells of three dimensions; the water needs cells of two. Contour "
+                  "the free surface first, and use the result as the input of the water's mapper.");
     return false;
   }
   const std::array<vtkMTimeType, 5> cells = CellsOf(input);
@@ -421,9 +421,9 @@ bool vtkWaterSurfaceFilter::ReadStep(vtkDataSet* input, vtkPolyData* mesh, vtkWa
     this->IsLandTold = true;
     vtkWarningMacro(
       "the level '" << this->LevelArrayName
-                    << "' of the cells seems to be the bed where they are dry, and the bed '"
+                    << "', an array of cells, seems to be the bed where they are dry, but the bed '"
                     << this->BedArrayName
-                    << "' is one of points: some dry cells are shown as water. Name the "
+                    << "' is an array of points: some dry cells are shown as water. Name the "
                        "array of depths, too, or the bed of the cells.");
   }
   return true;

@@ -5,7 +5,7 @@
  *
  * The input is a two-dimensional mesh of a flood, a tide or a river. Arrays of points or cells give
  * the water's level, its depth and the bed. The output is the mesh of the water's surface: only the
- * wet part, at the level, with all arrays. Two of the three arrays are enough; without a bed array,
+ * wet part, at the level, with all arrays. Two of the three arrays are enough; with only the depth,
  * the z of the mesh's points is the bed. With only the level, the whole mesh is wet.
  *
  *     filter.SetLevelArrayName("zeta")
@@ -22,11 +22,11 @@
  * with values that are not finite or beyond 1e9, as the fill values of files are, or with depths
  * below 0, are dry.
  *
- * Many solvers write the bed of a cell as the level of dry cells. If the bed is known at the points
- * only, such a level lies over the lowest corners of the cell, and the filter cannot tell it from a
- * puddle: give the depth of the cells, with either the level or the bed as the second array; or
- * give the bed of the cells. A warning reports this, once, if most of the cells that the shore cuts
- * have such a level.
+ * In a dry cell, many solvers write the height of its bed as the level. If the bed is known at the
+ * points only, such a level lies over the lowest corners of the cell, and the filter cannot tell it
+ * from a puddle: give the depth of the cells, with either the level or the bed as the second array;
+ * or give the bed of the cells. A warning reports this, once, if most of the cells that the shore
+ * cuts have such a level.
  *
  * Output points have the arrays "WaterLevel" and "WaterDepth" (0 at the shore; absent with only the
  * level), in the unit of the mesh. Lines and vertices are left out. In a composite dataset each
@@ -94,8 +94,8 @@ public:
   ///@{
   /**
    * Name of the array with the water's depth above the bed, one number per point or cell. Values
-   * that are not finite, and values not above DryDepth, are dry. If no value of an array is above
-   * 0, and one is below -DryDepth, a warning says so, once. Empty, the default, means that there is
+   * that are not finite, and values not above DryDepth, are dry. If no value is above 0, and one
+   * is below -DryDepth, a warning says so, once. Empty, the default, means that there is
    * no such array; the level is then required.
    */
   void SetDepthArrayName(const std::string& name);

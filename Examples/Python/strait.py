@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""strait: a day of tides around Vancouver Island, over a real bed, with flats that fall dry.
+"""strait: a day of tides around Vancouver Island, over a real bed, with flats that dry out.
 
 The bed is topobathy.npz of matplotlib's sample data, in longitude and latitude. It has -1 m in a fifth of its places,
 the shallow sea beside land, which low water bares. The level is the sum of the four largest constituents of the tide,

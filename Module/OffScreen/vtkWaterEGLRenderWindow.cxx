@@ -266,7 +266,8 @@ void vtkWaterEGLRenderWindow::MakeCurrent()
   if (this->Context.IsCreated() && !this->Context.MakeCurrent())
   {
     this->ReportFailure("EGL cannot make the context current; is it current in another thread, or "
-                        "an X window's in this one? Call ReleaseCurrent there first");
+                        "is the context of an X window current in this thread? Call "
+                        "ReleaseCurrent there first");
   }
 }
 

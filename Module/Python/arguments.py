@@ -195,7 +195,8 @@ def add_scene_arguments(parser):
                        help="quality of reflections on waves; without this option: default")
     water.add_argument("--units", type=units, metavar="UNIT",
                        help="length unit of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m "
-                            "for terrains and with --waves, otherwise automatic, from the file's size")
+                            "for terrains, for a solver's file and with --waves; for other meshes automatic, from the "
+                            "file's size")
     water.add_argument("--horizon", action="store_true",
                        help="extend the water to the horizon; by default it extends 50 times the width of the "
                             "ground")
@@ -217,7 +218,7 @@ def add_scene_arguments(parser):
     view.add_argument("--size", type=size, default=(960, 600), metavar="WxH", help="pixels; default 960x600")
     ground = parser.add_argument_group("the ground")
     ground.add_argument("--exaggeration", type=number(1e-6, 1e6), default=1.0, metavar="X",
-                        help="factor of the heights; terrains only")
+                        help="factor of the heights; for terrains, and for a solver's file without --contour")
     ground.add_argument("--no-data", type=number(), metavar="HEIGHT",
                         help="additional no-data value; NaN, values beyond 1e9 and the file's own no-data value are "
                              "always holes, and holes are not filled")
@@ -254,7 +255,7 @@ def make_parser():
                          help="height of the water, in the file's unit: a number, two numbers for the first and the "
                               "last frame, or an array of a solver's file")
     animate.add_argument("--times", type=time_range, metavar="FIRST:LAST",
-                         help="times of a solver's file, in its unit; default: all of it")
+                         help="times of a solver's file, in its unit; default: all")
     animate.add_argument("--frames", type=number(1, 100000, int), default=48, metavar="N",
                          help="number of frames; default %(default)s")
     animate.add_argument("--fps", type=number(0.1, 100.0), default=12.0, metavar="N",
@@ -282,8 +283,8 @@ def make_parser():
     add_scene_arguments(view)
     add_data_arguments(view, number)
 
-    info = commands.add_parser("info", help="print what a file holds, or versions, the renderer and, for a wheel, the "
-                                             "folder for CMake")
+    info = commands.add_parser("info", help="print what a file holds; without a file, versions, the renderer and, for "
+                                             "a wheel, the folder for CMake")
     info.add_argument("file", nargs="?",
                       help="a file, or a folder of GeoTIFF files: print its bounds, unit, steps and arrays, and "
                            "options to try; without it, versions and the renderer")

@@ -19,8 +19,8 @@ def add_data_arguments(parser, number):
     """number(least, most): the type of a number in a range."""
     group = parser.add_argument_group(
         "the data", "A solver's file: arrays of its points or cells define the water; two of level, depth and bed are "
-        "enough. A folder of GeoTIFF files is a series: depth_0, depth_600 and bed are the array depth at two times, "
-        "and the array bed. More file types: "
+        "enough. A folder of GeoTIFF files is a series: depth_0 and depth_600 are the array depth at two "
+        "times, and bed is the array bed. More file types: "
         + " ".join(kind for kind in solutions.KINDS if kind not in readers.KINDS))
     group.add_argument("--depth", metavar="ARRAY", help="depth of the water")
     group.add_argument("--bed", metavar="ARRAY", help="height of the bed; default: the level minus the depth or, "
@@ -41,11 +41,11 @@ def add_data_arguments(parser, number):
     for word, what, default in (("absorption", "absorbs", "0.0032,0.0110,0.0376"),
                                 ("scattering", "scatters back", "0.012,0.012,0.012")):
         group.add_argument(f"--matter-{word}", type=three_numbers, metavar="R,G,B",
-                           help=f"what it {what} at 650, 550 and 450 nm, 1/m per unit of its concentration; default "
-                                f"{default}, for mineral sediment in g/m^3")
+                           help=f"what the matter {what} at 650, 550 and 450 nm, 1/m per unit of its concentration; "
+                                f"default {default}, for mineral sediment in g/m^3")
     group.add_argument("--foam-by", metavar="ARRAY", help="array that says how much foam there is")
-    group.add_argument("--foam-measure", choices=FOAM_MEASURES, help="what its values are: the share of the surface "
-                       "that foam covers (the default), Froude numbers, or heights of waves over the depth")
+    group.add_argument("--foam-measure", choices=FOAM_MEASURES, help="what the values of --foam-by are: the share of "
+                       "the surface that foam covers (the default), Froude numbers, or heights of waves over the depth")
     group.add_argument("--cmap", metavar="NAME", help=f"colour map: {', '.join(COLOR_MAPS)}, or any of matplotlib's "
                        "if it is installed; default viridis")
     group.add_argument("--clim", type=color_range, metavar="LOW:HIGH",
@@ -99,7 +99,7 @@ def check_data(parser, arguments):
                      "step", "times"):
             if getattr(arguments, word, None) is not None:
                 parser.error(f"--{word.replace('_', '-')} needs an array that defines the water: add "
-                             "--depth, --bed, --contour or the name of an array as --level")
+                             "--depth, --level with --bed, --contour, or the name of an array as --level")
         if tiff_stack.is_stack(arguments.file):
             parser.error(f"{arguments.file} is a folder; a folder of GeoTIFF files needs two of its arrays, such "
                          f"as --depth depth --bed bed (vtkwater info {arguments.file} lists its arrays)")
@@ -119,7 +119,7 @@ def check_data(parser, arguments):
         if getattr(arguments, word) != default:
             parser.error(f"--{word.replace('_', '-')} does not apply to the water of a solver's mesh")
     if isinstance(arguments.level, tuple) and arguments.level[0] != arguments.level[1]:
-        parser.error("--level is a range; with --bed or --depth it must be one number or the name of an array")
+        parser.error("--level is a range; with data of a solver it must be one number or the name of an array")
     if arguments.contour and any((arguments.level is not None, arguments.depth, arguments.bed)):
         parser.error("--contour defines the surface; remove --level, --depth and --bed")
     if arguments.contour_value is not None and not arguments.contour:

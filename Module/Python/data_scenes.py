@@ -437,8 +437,8 @@ def colors_of(name):
     try:
         from matplotlib import colormaps
     except ImportError:
-        raise ValueError(f"unknown colour map {name!r}; known are {', '.join(COLOR_MAPS)}, and if matplotlib "
+        raise ValueError(f"unknown colour map {name!r}; known: {', '.join(COLOR_MAPS)}, and if matplotlib "
                          "(3.5 or later) is installed, all of its maps") from None
     if name not in colormaps:
-        raise ValueError(f"unknown colour map {name!r}; known are {', '.join(COLOR_MAPS)} and those of matplotlib")
+        raise ValueError(f"unknown colour map {name!r}; known: {', '.join(COLOR_MAPS)} and those of matplotlib")
     return colormaps[name](shares)[:, :3].tolist()

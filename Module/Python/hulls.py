@@ -32,7 +32,7 @@ def hull_of(name, hull, scale):
         has_data = mapper is not None and mapper.GetNumberOfInputConnections(0) > 0
         data = mapper.GetInputDataObject(0, 0) if has_data else None
         if data is not None and data.IsA("vtkCompositeDataSet"):
-            raise TypeError(f"{name} is an actor of a {type(data).__name__}; it must be one of a single mesh. "
+            raise TypeError(f"{name} is an actor of a {type(data).__name__}; it must show a single mesh. "
                             "Combine its blocks, or pass each block as a hull of its own")
         return hull
     if not isinstance(hull, pv.DataSet):

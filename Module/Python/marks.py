@@ -41,7 +41,7 @@ def lay_on_water(actor, nearer=NEARER):
     Raises
     ------
     TypeError
-        If actor has another type, or nearer is not a number.
+        If actor has the wrong type, or nearer is not a number.
     ValueError
         If the actor has no mapper, shows no vtkPolyData, or has polygons; if nearer is out of its range.
     """

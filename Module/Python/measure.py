@@ -10,10 +10,10 @@
     area, volume = flooded_cells(mesh, "depth")              # of the solver's own cells
 
 Everything is measured in plan, over x and y, in the units of the mesh; vertical exaggeration of the picture
-(VerticalScale, a scale of the actor) has no effect. The argument water is the output of a vtkWaterSurfaceFilter, or a
-vtkWaterActor that shows it. A vtkWaterLakes, or the actor that PyVista's add_water returns, stands for all of its
-lakes. An actor that is taken from a vtkWaterLakes (GetWater) stands for one lake, and so does the mesh of any actor's
-mapper.
+(VerticalScale, a scale of the actor) has no effect, except that the z of returned points, and "z" of probe, include
+VerticalScale. The argument water is the output of a vtkWaterSurfaceFilter, or a vtkWaterActor that shows it. A
+vtkWaterLakes, or the actor that PyVista's add_water returns, stands for all of its lakes. An actor that is taken from a
+vtkWaterLakes (GetWater) stands for one lake, and so does the mesh of any actor's mapper.
 """
 import warnings
 
@@ -60,7 +60,7 @@ def surface(water):
     Raises
     ------
     TypeError
-        If water has another type.
+        If water has the wrong type.
     ValueError
         If a point of the water is not finite.
     """
@@ -93,10 +93,10 @@ def probe(water, points):
     Raises
     ------
     ValueError
-        If points has another shape or is not finite, if a point of the water is not finite, or if an array has fewer
+        If points has the wrong shape or is not finite, if a point of the water is not finite, or if an array has fewer
         values than the water has points or cells.
     TypeError
-        If water has another type.
+        If water has the wrong type.
     """
     places = places_of(points)
     surface = surface_of(water)
@@ -129,7 +129,7 @@ def profile(water, start, end, count=200):
     start, end : sequence[float]
         x and y of the line's ends, in the coordinates of the mesh.
     count : int
-        Number of places along the line, with both ends; 2 or more.
+        Number of places along the line, including both ends; 2 or more.
 
     Returns
     -------
@@ -157,8 +157,8 @@ def gauges(solution, points, *, level=None, depth=None, bed=None, dry_depth=None
     Parameters
     ----------
     solution : vtkwater.solutions.Solution
-        It must read the arrays that are named below; its other arrays are probed, too. It converts lengths in other
-        units that the file states to metres.
+        It must read the arrays that are named below; its other arrays are probed, too. It converts lengths
+        that the file states in other units to metres.
     points : array_like
         n x 2 or n x 3: x and y of each place, in the coordinates of the mesh; z is ignored.
     level, depth, bed : str, optional
@@ -229,7 +229,7 @@ def shoreline(water, mesh):
     Raises
     ------
     TypeError
-        If water or mesh has another type.
+        If water or mesh has the wrong type.
     ValueError
         If a point of the water is not finite.
     """
@@ -283,7 +283,7 @@ def flooded(water):
     Raises
     ------
     TypeError
-        If water has another type.
+        If water has the wrong type.
     ValueError
         If a point of the water is not finite, or if there are fewer depths than points.
     """
@@ -333,7 +333,7 @@ def flooded_cells(mesh, depth, dry_depth=0.0):
     Raises
     ------
     TypeError
-        If mesh has another type.
+        If mesh has the wrong type.
     ValueError
         If mesh has no such array, if that array has several components or fewer values than points or cells, or if
         dry_depth is negative or not finite.

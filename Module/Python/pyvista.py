@@ -105,11 +105,11 @@ def add_water(
 
     depth, bed : str, optional
         With a solver's mesh as the ``surface``: the names of its arrays of the water's depth and of the bed's height,
-        of points or cells. Two of ``level``, ``depth`` and ``bed`` define the water. Without ``bed`` the bed is the
+        of points or cells. Two of ``level``, ``depth`` and ``bed`` define the water. With only ``depth`` the bed is the
         mesh's own z; with only ``level`` the whole mesh is wet. The water ends where the bed reaches its level,
         between the points, and follows the arrays when they change (:vtk:`vtkWaterSurfaceFilter`). If the level
-        belongs to cells and the bed to points, give the ``depth`` instead of one of them: solvers write the bed as the
-        level of dry cells, some of which would be shown as water.
+        belongs to cells and the bed to points, give the ``depth`` instead of one of them: in dry cells, solvers write
+        the height of the bed as the level, and some of these cells would be shown as water.
 
     flow : str, optional
         An array of the surface's points or cells with the velocity of a current, m/s, 2 or 3 components. It carries
@@ -152,7 +152,7 @@ def add_water(
         Whether to show a scalar bar for ``color_by``.
 
     wind : float | sequence[float], optional
-        Replaces the preset's waves by a wind sea: the wind speed, m/s in [0.1, 100], 0 for calm water; or the speed
+        Replaces the preset's waves with a wind sea: the wind speed, m/s in [0.1, 100], 0 for calm water; or the speed
         and the direction in which the wind blows, in degrees from the plane's first axis (x) towards the second (y).
         The water keeps the preset's colour, that of a lake by default; ``preset="ocean wind 10"`` is a blue ocean with
         such waves. Not together with ``waves``.

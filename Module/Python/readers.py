@@ -114,7 +114,7 @@ def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=N
     step = math.ceil(math.sqrt(heights.size / MOST_POINTS))
     notes = []
     if step > 1:
-        notes.append(f"only every {step}th row and column of {heights.shape[1]} x {heights.shape[0]} heights is used")
+        notes.append(f"of {heights.shape[1]} x {heights.shape[0]} heights, one row and column in {step} is used")
     heights = heights[::step, ::step]
     known = np.isfinite(heights)
     if no_data is not None and math.isfinite(no_data):

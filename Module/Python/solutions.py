@@ -48,13 +48,13 @@ class Solution:
     Parameters
     ----------
     file : str, pathlib.Path or Mapping
-        One of KINDS, by its suffix; a folder of GeoTIFF files; or a list of such files, for each array one file or its
-        files by their times (TiffStack): ``{"depth": {0.0: "a.tif", 600.0: "b.tif"}, "bed": "bed.tif"}``. A list is
-        not read ahead.
+        One of KINDS, by its suffix; a folder of GeoTIFF files; or a mapping of each array to one such file, or to its
+        files by time (TiffStack): ``{"depth": {0.0: "a.tif", 600.0: "b.tif"}, "bed": "bed.tif"}``. A mapping is not
+        read ahead.
     arrays : sequence[str]
         Names of the arrays to read, of points or cells. Others are not kept. An array whose unit, as a NetCDF file
-        states it, is another length of METRES (cm, ft, US_survey_foot, ...) is converted to metres; a GeoTIFF file in
-        feet is, too. All others keep the file's values.
+        states it, is a length other than the metre (cm, ft, US_survey_foot, ...: METRES) is converted to metres; a
+        GeoTIFF file in feet is, too. All others keep the file's values.
     is_volume : bool, default: False
         Read cells of three dimensions, as an unstructured grid.
     is_lonlat : bool, optional
@@ -156,7 +156,7 @@ class Solution:
             self._differ = (f"the meshes of steps {i} and {i + 1} differ: "
                             "between them, the earlier step is shown")
             return mesh
-        with heard(self.path, "a series of meshes to interpolate in"):
+        with heard(self.path, "a series whose steps can be interpolated"):
             self._between.UpdateTimeStep(time)
         between = self._between.GetOutputDataObject(0)
         made = between.NewInstance()
@@ -279,8 +279,8 @@ def array_of(mesh, name):
 def odd_units(solution, names):
     """Warnings of arrays of heights whose unit is not a known unit of length, one text for each."""
     units = {name: solution.unit_of(name) for name in names if isinstance(name, str)}
-    return [f"the unit of '{name}' is '{unit}', which is no known length; its values are taken as metres. Known are "
-            f"{', '.join(METRES)}" for name, unit in units.items() if unit and unit.lower() not in METRES]
+    return [f"the unit of '{name}' is '{unit}', which is not a known unit of length; its values are taken as metres. "
+            f"Known units: {', '.join(METRES)}" for name, unit in units.items() if unit and unit.lower() not in METRES]
 
 
 def is_text(mesh, name):

@@ -92,7 +92,7 @@ def show_array(mapper, dataset, name, cmap=None, clim=None, log_scale=False):
         raise ValueError(f"color_by is {name!r}, which has {values.shape[1]} components; it must have 1 (for "
                          "vectors, add their magnitude as an array)")
     if values.dtype.kind not in "buif":
-        raise ValueError(f"color_by is {name!r}, an array of {values.dtype}; it must be one of real numbers")
+        raise ValueError(f"color_by is {name!r}, an array of {values.dtype}; it must hold real numbers")
     table = table_for(values, name, cmap, clim, log_scale)
     if is_of_points:
         mapper.SetScalarModeToUsePointFieldData()

@@ -165,7 +165,7 @@ class TiffStack:
         files = self._files.setdefault(array, {})
         if time in files or (files and (None in files) != (time is None)):
             other = next(iter(files.values())).name if time not in files else files[time].name
-            raise FileError(f"{self._path}: {other} and {file.name} are both of '{array}'"
+            raise FileError(f"{self._path}: {other} and {file.name} both hold '{array}'"
                             f"{'' if time is None or time not in files else f' at the time {time:g}'}")
         files[time] = file
 

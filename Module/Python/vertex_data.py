@@ -5,14 +5,13 @@
     data.check(surface)
     data.give(water)
 """
-import math
-
 from .words import counted, has_waves, numbers, of_type
 
 __all__ = ["FOAM_MEASURES", "VertexData"]
 
 FOAM_MEASURES = ("cover", "froude", "breaking")  # in the order of vtkWaterActor's FoamMeasures
 COMPONENTS = {"flow": (2, 3), "matter": (1,), "foam_by": (1,)}
+MOST_COEFFICIENT = 1e9  # as WATER_COEFFICIENT_MAX
 WHAT = {"matter_absorption": "matter", "matter_scattering": "matter", "foam_measure": "foam_by"}  # needs what
 
 
@@ -73,7 +72,7 @@ class VertexData:
             if wrong:
                 raise ValueError(f"{word} is {name!r}, which has {wrong}")
             if values.dtype.kind not in "buif":
-                raise ValueError(f"{word} is {name!r}, an array of {values.dtype}; it must be one of real numbers")
+                raise ValueError(f"{word} is {name!r}, an array of {values.dtype}; it must hold real numbers")
 
     def check_look(self, look):
         """Raise a ValueError if the water has nothing that an array could change."""
@@ -112,10 +111,10 @@ def wrong_components(word, components):
 
 
 def coefficients(word, values):
-    """Three numbers, finite and not negative; None: not given."""
+    """Three numbers in [0, 1e9]; None: not given."""
     if values is None:
         return None
     values = numbers(word, values, 3)
-    if not all(0.0 <= value < math.inf for value in values):
-        raise ValueError(f"{word} is {tuple(values)}; all must be finite and not negative (1/m per unit)")
+    if not all(0.0 <= value <= MOST_COEFFICIENT for value in values):
+        raise ValueError(f"{word} is {tuple(values)}; all must be finite, not negative and at most 1e9 (1/m per unit)")
     return values

@@ -100,7 +100,7 @@ class LevelSlider:
 
 
 class PlaneWidget:
-    """A plane to drag along its normal and to rotate by it; the water follows.
+    """A plane to drag along its normal, and to rotate by dragging the normal; the water follows.
 
     Parameters
     ----------

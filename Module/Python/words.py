@@ -41,7 +41,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
         Replaces the preset's waves: a wind speed, m/s in [0.1, 100], or 0 for calm water; or waves of 2 to 5
         numbers as in ``AddWave``.
     wind : float | sequence[float]
-        Replaces the preset's waves by a wind sea: the wind speed, m/s in [0.1, 100], 0 for calm water; or the speed
+        Replaces the preset's waves with a wind sea: the wind speed, m/s in [0.1, 100], 0 for calm water; or the speed
         and the direction in which the wind blows (degrees from the plane's first axis towards the second). Not
         together with waves.
     whitecaps : float | bool
@@ -155,7 +155,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
 
 
 def whitecaps_of(whitecaps):
-    """Whether there are any, and their life time in seconds; None: the default."""
+    """Whether there are any, and their lifetime in seconds; None: the default."""
     value = plain(whitecaps)
     return (value, None) if isinstance(value, bool) else (True, in_range("whitecaps", value, 0.0, MOST_LIFE_TIME))
 
@@ -303,7 +303,7 @@ def radius_of(dome_port):
 
 
 def set_sea(look, speed, blows_to=None):
-    """Replace all waves by a wind sea; without a wind the water is calm."""
+    """Replace all waves with a wind sea; without a wind the water is calm."""
     look.RemoveAllWaves()
     look.SeaOff()
     if speed != 0.0:

@@ -92,7 +92,7 @@ pv.Show(water, view)
 pv.Render(view)
 print("the end")
 ''')
-        self.assertIn("Normal is (0, 0, 0), must not be zero", said)
+        self.assertIn("Normal is (0, 0, 0); it must point out of the water", said)
         self.assertIn("the end", said)
 
 

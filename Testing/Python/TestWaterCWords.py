@@ -521,7 +521,7 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
     (
         "sun_at_night",
         BAD_VALUE,
-        b"elevation -5 degrees; they must be finite and in [0, 90]",
+        b"elevation -5 degrees; the azimuth must be finite, and the elevation must lie in [0, 90]",
         "vtk_water_scene_set_sun",
         lambda it: (it.scene, number(0), number(-5), None),
     ),

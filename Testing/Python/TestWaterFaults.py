@@ -213,7 +213,7 @@ def exit_in_the_mirrored_view():
 
 def fork_after_a_frame():
     # VTK's own windows crash or hang at the end of a process that was forked after they rendered,
-    # with water or without it: such a child leaves by _exit
+    # with water or without it: such a child exits by _exit
     before = Scene().picture()
     scene = Scene()
     scene.picture()

@@ -206,7 +206,7 @@ def no_picture(folder):
     (other_pixels, ("depth_600.TIF", "pixel size", "10.1")),
     (other_place, ("depth_600.TIF", "place", "501")), (other_place_in_degrees, ("depth_0.TIF", "place", "10, ", "70, ")),
     (one_time_less, ("'speed' has no file for the time 600", "0")),
-    (with_and_without, ("depth.tif", "both of 'depth'")), (twice, ("depth-600.0.tif", "depth_600.TIF", "time 600")),
+    (with_and_without, ("depth.tif", "both hold 'depth'")), (twice, ("depth-600.0.tif", "depth_600.TIF", "time 600")),
     (several_bands, ("depth_600.TIF", "several bands", "velocity_x_0.tif")),
     (bands_of_colors, ("depth_600.TIF", "3 numbers per pixel", "velocity_x_0.tif")),
     (date_and_number, ("depth_2024-01-15.tif ends with a date", "depth_0.TIF with a number")),

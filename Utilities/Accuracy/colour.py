@@ -26,15 +26,16 @@ PERFECT = "a perfect tracer, one ray a pixel"
 TEXT = """
 Poles, boxes and floating objects with hard edges ($triangles triangles), slopes of the waves up to 0.10, $width x
 $height pixels, one sample per pixel, a mirrored view of the same scale; perfect reflection, unlit. The truth has
-$samples rays per pixel. Only pixels that show nothing but water in both pictures count ($shares of the picture). For
-FLIP (version 1.7, 67 pixels per degree) all other pixels are set to the truth in both pictures; its mean is taken
-over the water's pixels of its error map. A perfect tracer with one ray per pixel is the best possible result with one
-sample: its FLIP is $ceiling times smaller than that of the best constant offset. The constants of the offsets are
-optimal for the view and the measure, from a search that knows the truth ($constants).
+$samples rays per pixel. Only pixels that show nothing but water in both pictures count ($shares of the picture in the
+views $views). For FLIP (version 1.7, 67 pixels per degree) all other pixels are set to the truth in both pictures, and
+the mean of FLIP's error map is taken over the water's pixels. For comparison, the last row has a perfect tracer with one ray
+per pixel: its FLIP is $ceiling times smaller than that of the best constant offset. Each
+view has constants of its own for the offsets, the first optimal for RMSE and the second for FLIP, from a search that
+knows the truth ($constants).
 
 $table
 
-In a smaller picture, edges cover a larger part, and one sample cannot resolve them. In $small_width x $small_height
+In a smaller picture, edges cover a larger part, and one sample cannot resolve them. At $small_width x $small_height
 pixels the best constant offset has $small_rmse times the RMSE and $small_flip times the FLIP of the ray-traced
 default, and $small_ceiling times the FLIP of the perfect tracer.
 
@@ -42,7 +43,7 @@ $pictures
 
 *Centre of the $view view. Above: the pictures; below: FLIP's error maps (black: no error).*
 
-FLIP of the ray-traced default, all views together:
+FLIP of the ray-traced default, mean of the pixels of all views (the table above has the mean of the views):
 
 $kinds
 
@@ -256,9 +257,9 @@ def run(report):
         "Colour", TEXT, triangles=views[0].tracer.triangle_count,
         width=SIZE[0], height=SIZE[1], samples=SAMPLES**2, small_width=SMALL_SIZE[0], small_height=SMALL_SIZE[1],
         **dict(zip(("small_rmse", "small_flip", "small_ceiling"), (f"{ratio:.2f}" for ratio in _small_ratios()))),
-        shares=", ".join(f"{view.mask.mean():.0%}" for view in views), constants=constants, table=table(header, rows),
+        shares=", ".join(f"{view.mask.mean():.0%}" for view in views), views=", ".join(names), constants=constants, table=table(header, rows),
         ceiling=f"{ceiling:.2f}", off=OFF, only=f"{100 * only:.2f} %", both=f"{100 * both:.2f} %",
-        view=views[0].name.capitalize(),
+        view=views[0].name,
         pictures=report.save(_show(views[0], offset.constants[0][0]), "colour", "Pictures and error maps"),
         kinds=table(("pixels", "share", "share of the FLIP", "adds to the mean", "perfect tracer, one ray: adds"),
                     _kinds(views)))

@@ -19,7 +19,7 @@ The module reports for every pixel the reason for its colour (`SetOutputToConfid
 reflected rays by the definitions in vtkWaterProperty.h: **downward**, the ray would meet the water again; **hit**, it
 meets a surface that is visible in the mirrored view; **hidden**, it meets a surface that something else hides in the
 mirrored view; **sky**, it meets nothing and rises above the highest object within the mirrored view; **off the
-texture**, it leaves the mirrored view before it meets anything or rises above everything. Shares of the water's
+texture**, it leaves the mirrored view before meeting anything or rising above everything. Shares of the water's
 pixels, three views together:
 
 $shares

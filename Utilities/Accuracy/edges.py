@@ -51,8 +51,8 @@ over beds with and without a shore. The table gives the RMSE (of 255) of the pix
 edge of the water. The reference has 64 samples per pixel. The same is measured with an opaque plane instead of the
 water. The last columns give the RMSE of the whole picture, with the water, and with neither water nor plane. If the
 driver supports fewer samples than a mode requests, the mode uses as many as it supports. For frames-4 the scene is rendered four times, each time
-shifted to one of the four sample positions, and the mean is taken; frames-8 and frames-16 likewise. samples-4 to samples-16 are means of that many of the reference's own 64 samples: no
-picture with so many samples can be better. On an NVIDIA H200, which has 16 samples, the median ratios are 1.02 with
+shifted to one of the four sample positions, and the mean is taken; frames-8 and frames-16 likewise. samples-4 to samples-16 are means of that many of the reference's own 64 samples:
+about the best that a picture with that many samples can be. On an NVIDIA H200, which supports up to 16 samples, the median ratios are 1.02 with
 MSAA-2, 1.07 with MSAA-4, 1.25 with MSAA-8 (frames-8: 1.24), and 1.22 with MSAA-16 (frames-16: 1.38); on scenes 100 to
 119 they are 1.03, 1.05, 1.30 (1.27), and 1.29 (1.27).
 
@@ -226,7 +226,7 @@ def _summary(results, modes):
                       f"{planes.max():.2f}", f"{np.median(ratios):.2f}", f"{ratios.max():.2f}",
                       str(int((ratios <= MOST_RATIO).sum())), f"{np.median(wholes):.2f}", f"{np.median(bares):.2f}"))
     return table(("mode", "water: median", "worst", "plane: median", "worst", "ratio: median", "worst",
-                  f"scenes up to {MOST_RATIO:g}", "whole picture: median", "no water, whole: median"), cells)
+                  f"scenes with a ratio up to {MOST_RATIO:g}", "whole picture: median", "no water, whole: median"), cells)
 
 
 def run(report):

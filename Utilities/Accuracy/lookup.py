@@ -19,7 +19,7 @@ The tracer follows the reflected ray of each pixel to the point that it meets. T
 the mirrored view shows this point. Only pixels whose point is visible in the mirrored view count: for other pixels
 there is no correct lookup. Smooth islands ($triangles triangles), $width x $height pixels, a mirrored view of the
 same scale, three views together; waves of three lengths with the given rms slope. The module's lookups are read back
-(`SetOutputToLookup`) in steps of 1/4095 of the texture, about $step pixels, which is the resolution of these figures.
+(`SetOutputToLookup`) in steps of 1/4095 of the texture, about $step pixels: differences below that are rounding.
 
 $table
 
@@ -28,7 +28,8 @@ $plot
 *Share of the pixels (vertical axis) whose lookup error is below a number of pixels (horizontal axis). Solid lines:
 ray traced, and each formula with its best constant; dashed lines: with published constants.*
 
-Lookups of the default quality, by the reason that the module reports: all, and those off by 2 pixels or more:
+Lookups of the default quality, by the reason that the module reports (see [Confidence](#confidence)): all, and
+those off by 2 pixels or more:
 
 $reasons
 
@@ -37,7 +38,8 @@ The published formulas use the same normals, points and mirrored view as the ray
 $formulas
 
 uv: the calm lookup, in fractions of the picture; n: the normal, its third component upwards; P: the point on the
-water; R: the reflected ray; map: the place where the mirrored view shows a point. "Best" is the constant with the
+water; R: the reflected ray; map: the place where the mirrored view shows a point.
+"Stronger upright": y counts four times as much as x. "Best" is the constant with the
 smallest median over all three views, from a search that knows the truth. If a formula uses the axes of its program's
 world, the best of the 8 ways to exchange and negate them is used, for published constants too. Constants in units
 depend on the size of the scene.
@@ -151,7 +153,7 @@ def _check_formulas(cases, slope, report):
             there = case.looked_up(f"LookupTo{setting}", scale)
             apart = np.linalg.norm((np.clip(here, 0, 1) - there) * case.pixels.texture_size, axis=1)
             largest = max(largest, float(apart.max()))
-        report.check_at_most(f"slope {slope:.2f}, {formula.name} here and in the module, px apart", largest, 0.1)
+        report.check_at_most(f"slope {slope:.2f}, {formula.name}, report and module, px apart", largest, 0.1)
 
 
 def _plot(all_curves):

@@ -40,15 +40,15 @@ MOST_STRANGE = 0.2  # % of the pixels for which the picture has what is right
 TEXT = """
 $count scenes of clear water over a bed, with objects standing in it, lying under it, floating, or hanging over it,
 with and without waves ($seeds); $width x $height pixels, $samples rays per pixel in the truth. A pixel is strange if
-the truth does not contain its colour within a few pixels. The picture without water may not contain what a refracted
-ray meets:
+the truth does not contain its colour within a few pixels. Sometimes the picture without water does not contain
+what a refracted ray meets:
 
 $summary
 
 $pictures
 
-*The truth and the module; below, their difference, and strange pixels (white) over where the correct colour is: seen
-(green), hidden by what is over the water (red), hidden under the water (yellow), out of the picture (blue).*
+*The truth and the module; below, their difference, and where the correct colour is: seen (green), hidden by what is
+over the water (red), hidden under the water (yellow), out of the picture (blue). Strange pixels are white.*
 """
 REASON_COLORS = ((60, 110, 60), (150, 50, 40), (190, 150, 40), (60, 70, 150))
 STRANGE_COLOR = (255, 255, 255)
@@ -212,7 +212,8 @@ def _summary(rows):
         error = sum(row[f"pixels {reason}"] * row[f"RMSE {reason}"] ** 2 for row in rows)
         cells.append((reason, f"{100 * pixels / water:.2f} %", str(sum(row[f"strange {reason}"] for row in rows)),
                       f"{(error / max(pixels, 1)) ** 0.5:.2f}", str(sum(row[f"strange {reason}"] > 0 for row in rows))))
-    text = table(("the correct colour is", "share of the pixels", "strange pixels", "RMSE of 255", "scenes with strange"), cells)
+    text = table(("the correct colour is", "share of the pixels", "strange pixels", "RMSE of 255",
+                  "scenes with strange pixels"), cells)
     return text + (f"\n\nTogether, {sum(row['strange'] for row in rows)} of {water} pixels are strange "
                    f"({sum(row['strange perfect'] for row in rows)} with one perfect ray per pixel). "
                    f"The RMSE is at most {MOST_RMSE:g}\n"

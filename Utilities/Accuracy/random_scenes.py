@@ -58,9 +58,9 @@ Reasons that the module reports, all scenes together, default quality:
 
 $reasons
 
-The scenes with the largest ratios, default quality. For "from what the mirrored view lacks", every
-pixel whose ray meets a point that the mirrored view shows gets its correct colour; the ratio that is left comes from
-the other pixels. "Pixels that it lacks" is their share.
+The scenes with the largest ratios, default quality. In the column "from what the mirrored view
+lacks", every pixel whose ray meets a point that the mirrored view shows has its correct colour, so this ratio
+comes from the other pixels. "Pixels that it lacks" is the share of these.
 
 $worst
 
@@ -220,13 +220,13 @@ def _judge(report, rows, qualities):
     for quality in qualities:
         ratios = [row[f"RMSE ratio {quality}"] for row in rows]
         middle, most = LIMITS[quality]
-        report.check_at_most(f"{name}, {quality}: RMSE / a perfect tracer's, median", float(np.median(ratios)), middle)
-        report.check_at_most(f"{name}, {quality}: RMSE / a perfect tracer's, 95 % of scenes within",
+        report.check_at_most(f"{name}, {quality}: RMSE / one perfect ray's, median", float(np.median(ratios)), middle)
+        report.check_at_most(f"{name}, {quality}: RMSE / one perfect ray's, 95 % of scenes within",
                              float(np.percentile(ratios, 95)), most)
-        report.check_at_most(f"{name}, {quality}: pixels that show the background behind a dome",
+        report.check_at_most(f"{name}, {quality}: pixels that show a hidden background",
                              sum(row.get(f"background {quality}", 0) for row in rows), 0, 0)
-    report.check_at_most(f"{name}, truth: pixels that show the background behind a dome", sum(row.get("background truth", 0) for row in rows), 0, 0)
-    report.check_at_most(f"{name}: % of pixels in which VTK without water and the tracer differ, most of a scene",
+    report.check_at_most(f"{name}, truth: pixels that show a hidden background", sum(row.get("background truth", 0) for row in rows), 0, 0)
+    report.check_at_most(f"{name}: % of pixels in which VTK without water and the tracer differ, worst scene",
                          max(row["apart"] for row in rows), MOST_APART)
     report.check_at_most(f"{name}: % of the tracer's hits off their triangle's plane, mean",
                          float(np.mean([row["doubtful"] for row in rows])), 0.1)
@@ -241,7 +241,7 @@ def _summary(rows, qualities):
             cell += [f"{np.median([row[f'{measure} {quality}'] for row in rows]):.4g}", f"{np.median(ratios):.3f}",
                      f"{np.percentile(ratios, 95):.3f}", f"{max(ratios):.3f}"]
         cells.append((*cell, str(sum(row.get(f"background {quality}", 0) for row in rows))))
-    titles = (": median", " ratio: median", " ratio: 95 %", " ratio: most")
+    titles = (": median", " ratio: median", " ratio: 95 %", " ratio: worst")
     header = [f"{measure}{title}" for measure in FLOORS for title in titles]
     return table(("", *header, "background"), cells)
 
@@ -275,7 +275,7 @@ def _worst(rows, count):
                       f"{row['waves']}, slope {row['slope']:.2f}",
                       f"{row['dome']:.3g} m" if row["dome"] else "none"))
     return table(("seed", "RMSE, perfect", "default", "ratio", "from what the mirrored view lacks", "pixels that it lacks",
-                  "most of the squared error", "eye", "waves", "dome"),
+                  "largest share of the squared error", "eye", "waves", "dome"),
                  cells)
 
 

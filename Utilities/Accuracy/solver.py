@@ -22,10 +22,10 @@ TIMES = (0.4, 0.7, 1.0, 1.3, 1.6, 2.0)  # s
 EYE, FOCAL_POINT, VIEW_ANGLE = (3.6, -3.0, 1.9), (1.75, 0.42, 0.12), 30.0  # as in the example
 
 TEXT = """
-The water of [dam_break.py](../Examples/Python/dam_break.py), in its tank and from its eye, at $count times: the contour
+The water of [dam_break.py](../Examples/Python/dam_break.py), in the example's tank and seen by its camera, at $count times: the contour
 of interFoam's volume fraction, with splashes and overturning waves. Embree traces it, with the same normals, and what
-its reflected rays meet, as in the last section. "Flat mirror" is the same surface that shows what its mean plane
-reflects (`MeshSlopesOff`).
+its reflected rays meet, as in the last section. "Flat mirror" is the same surface, showing what its mean plane
+reflects (`MeshSlopesOff`, the "plane's normal" of the last section).
 
 $table
 """

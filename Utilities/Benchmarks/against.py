@@ -4,7 +4,7 @@
     script/benchmark --against FOLDER [--sections SECTION...] [--runs N]
 
 FOLDER holds the other build: <FOLDER>/lib/python3.11/site-packages/vtkwater. Two processes, one for
-each build, run `benchmark.py --quick` and render in turns, frame by frame, so that what slows the
+each build, run `benchmark.py --quick` and take turns, frame by frame, so that what slows the
 machine down slows both down. Every run begins with the other one of them. Prints, for each kind of
 frame, the CPU's and the clock's time over the other build's: medians over the runs of the
 ratios of the runs' medians. Exit status 1: a ratio is over LIMIT.

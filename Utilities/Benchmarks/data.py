@@ -24,16 +24,16 @@ ROUNDS, QUICK_ROUNDS = 12, 3
 GRID_ROUNDS = 6
 BUDGET_S, QUICK_BUDGET_S = 180.0, 5.0
 STEPS, QUICK_STEPS = 100, 12
-PICTURES, QUICK_PICTURES = 3, 1  # of each kind, in turns
+PICTURES, QUICK_PICTURES = 3, 1  # of each kind, which take turns
 SERIES, QUICK_SERIES = 12, 5  # steps
-PLAYS, QUICK_PLAYS = 3, 1  # of each, in turns
+PLAYS, QUICK_PLAYS = 3, 1  # of each, which take turns
 FRAMES, QUICK_FRAMES = 40, 6  # of the lakes
 PLACES = 100_000  # whose values are read back
 FEW_CELLS, QUICK_FEW_CELLS = 10_000, 2_500  # whose triangles are larger than pixels
 MOST_COLOR = 1.0  # steps of the table that a value read back is off by
 MOST_STEP = 1.6  # a step of coloured water, over VTK's plain surface
 MOST_FIRST = 1.5  # the same for the first picture of a file
-MOST_MEMORY = 16.0  # MB up or down, over the later half of the steps
+MOST_MEMORY = 16.0  # MB up or down, over the second half of the steps
 # llvmpipe's threads keep the lists of triangles of pictures that they have finished, 64 KB at a time, until it draws
 # another one in their place: 330 to 390 MB, as the threads happen to be scheduled. Without threads it keeps none.
 NO_THREADS = {"LP_NUM_THREADS": "0"}
@@ -52,8 +52,8 @@ The same with $few cells, whose triangles cover many pixels each:
 $few_steps
 
 llvmpipe shades several neighbouring pixels at once, so a triangle that covers one pixel costs as much as a group of
-pixels. Water of such a mesh is therefore shaded once per pixel, from a buffer (decision 024). A picture with a quarter
-of the pixels:
+pixels. Water of a mesh with small triangles is therefore shaded once per pixel, from a buffer (decision 024). The mesh of
+$cells cells, in a picture with a quarter of the pixels:
 
 $small_steps
 
@@ -61,12 +61,12 @@ Coloured water of the same cells in other data sets, divided by VTK's plain surf
 
 $grids
 
-The first picture of a file of $file_cells cells without compression, each in a new process that is given the file's
-name:
+The first picture of an uncompressed file of $file_cells cells, for each surface in a new process that is given the
+file's name:
 
 $first
 
-Reading and drawing a step of a series of compressed files with a quarter of the cells takes $ahead
+Reading and drawing a step of a series of compressed files of $series_cells cells takes $ahead
 
 The memory that a process has allocated goes up and down over the second half of $count steps, by the MB in the table.
 It is measured without llvmpipe's threads, which keep lists of triangles of finished pictures for an arbitrary time. The
@@ -76,7 +76,7 @@ $memory
 
 50 lakes of one mesh at 50 levels, 6 of them in view, take $lakes_ms ms per frame with $lakes_views mirrored views. 6 waters that are placed by hand take $placed_ms ms with $placed_views views (ratio of the work $lakes_ratio). Pixels that differ: $lakes_pixels.
 
-Values of $places random places of a coloured surface, read back from the picture's pixels with optics off, differ from
+Values at $places random places of a coloured surface, read back from the picture's pixels with optics off, differ from
 the data by at most $color_error steps of the colour table.
 """
 
@@ -173,7 +173,7 @@ def _measure_first(results):
 
 
 def _change_of(kind, results, **environment):
-    """MB up or down over the later half of the steps, and MB after the last one."""
+    """MB up or down over the second half of the steps, and MB after the last one."""
     steps = results.rounds(STEPS, QUICK_STEPS)
     held = _process(kind, "--cells", results.rounds(CELLS, QUICK_CELLS), "--steps", steps, **environment)
     later = np.array(held[steps // 2:]) / 2**20
@@ -188,7 +188,7 @@ def _measure_memory(results):
         with_threads, _ = _change_of(kind, results)
         results.row("data", "memory with llvmpipe's threads", kind, change_mb=with_threads)
         rows.append((kind, f"{change:.1f}", f"{held:.0f}", f"{with_threads:.1f}"))
-    results.check_at_most("data: memory over the later half of the steps, MB up or down", change, MOST_MEMORY)
+    results.check_at_most("data: memory over the second half of the steps, MB up or down", change, MOST_MEMORY)
     return table(("surface", "up or down, MB", "after the last step, MB", "up or down with llvmpipe's threads, MB"), rows)
 
 
@@ -211,8 +211,8 @@ def run(results):
     cells = results.rounds(CELLS, QUICK_CELLS)
     few = results.rounds(FEW_CELLS, QUICK_FEW_CELLS)
     half = tuple(side // 2 for side in data_steps.SIZE)
-    results.add("Data", TEXT, load=results.machine["load"], cells=f"{cells:,}", width=data_steps.SIZE[0],
-                height=data_steps.SIZE[1], steps=_measure_steps(results, cells), few=f"{few:,}",
+    results.add("Data", TEXT, load=results.machine["load"], cells=f"{cells:,}", series_cells=f"{cells // 4:,}",
+                width=data_steps.SIZE[0], height=data_steps.SIZE[1], steps=_measure_steps(results, cells), few=f"{few:,}",
                 few_steps=_measure_steps(results, few, "few cells"), small_steps=_measure_steps(results, cells, "small picture", half),
                 grids=_measure_grids(results, cells), first=_measure_first(results),
                 file_cells=f"{results.rounds(FILE_CELLS, QUICK_FILE_CELLS):,}", ahead=_measure_ahead(results),

@@ -39,10 +39,12 @@ the mirrored view (decision 009).
 
 $composite
 
-Culled work, compared with drawing everything (SKIP_NONE). A prop is needed if one of its points above the plane has its
+Work left out, compared with drawing everything (SKIP_NONE). A prop is needed if one of its points above the plane has its
 mirror image on a pixel of water. Of the fragments, one is needed for each pixel of water that reflects something. This
 is a lower bound: to reach it, all fragments would have to be drawn front to back, which drawing prop by prop cannot do.
-Share: how much of the unneeded work is culled. On the water: how many fragments lie on the pixels of visible water when everything that is not culled is drawn in the same order (counted as on a GPU, with a mask of these pixels). The last column has the culled share of those fragments that do not lie on the water.
+Share: how much of the unneeded work is left out. On the water: how many fragments of the same frames are drawn on
+pixels of visible water by the rules for GPUs, with a mask of these pixels. They can be more than "drawn", by the rules
+for software. The last column has the share of the other fragments that is left out.
 
 $shares
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""effect_scenes: each effect of a water, on and off in one window, in frames that take turns; needs no plots.
+"""effect_scenes: each effect of the water, on and off in one window, in frames that take turns; needs no plots.
 
 All other settings of the water are the same with and without the effect. The camera and the time of the waves move on in every frame:
 of a view that stands still, what the water looks up is used again.
@@ -127,7 +127,7 @@ EFFECTS = (
     Effect("displaced waves", _waves, _of_look("WaveGeometry")),
     Effect("displaced sea", _sea, _of_look("WaveGeometry")),
     Effect("whitecaps", _sea, _of_look("Whitecaps")),
-    Effect("life time of whitecaps", _white_sea, _amount("WhitecapLifeTime", 3.5)),
+    Effect("lifetime of whitecaps", _white_sea, _amount("WhitecapLifeTime", 3.5)),
     Effect("clear sky", _sky, lambda scene, look, is_on: scene.skybox.SetVisibility(is_on)),
     Effect("secondary reflections", _fall,
            lambda scene, look, is_on: scene.water.GetReflectionPass().SetSecondaryReflections(is_on)),

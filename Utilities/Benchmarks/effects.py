@@ -17,9 +17,9 @@ KINDS = {"software": "1", "hardware": "0"}  # of shader; values of VTK_WATER_SOF
 MOST_SHADOWS = 1.5  # a frame with them, over one without
 
 TEXT = """
-The terrain, $width x $height pixels, on this machine. Each effect is switched on and off in one
-window, the frames in turns; the camera and the time of the waves move on in every frame. All other
-settings of the water are the same with and without the effect. "Under water" compares an eye below the surface with
+The terrain, $width x $height pixels. Each effect is switched on and off in one
+window; frames with and without it take turns, and the camera and the time of the waves move on in every frame.
+All other settings of the water are the same with and without the effect. "Under water" compares an eye below the surface with
 one that sees no water, and "clear sky" includes the sky's own picture. "Hardware" is the shader for
 GPUs, drawn by the same renderer.
 

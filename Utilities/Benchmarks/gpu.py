@@ -56,8 +56,8 @@ Limits:
 $limits
 """
 
-EFFECTS = """Each effect of a water, on and off in one window, the frames in turns, over the terrain of the effects' section; the
-ratio with its quartiles.
+EFFECTS = """Each effect of the water, on and off in one window, in frames that take turns, over the terrain of the effects' section;
+the ratio with its quartiles.
 
 $table
 """

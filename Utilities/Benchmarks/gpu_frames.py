@@ -274,7 +274,7 @@ def main():
 
     for limit in limits:
         print("{figure}: {value} (limit {limit}) {verdict}".format(**limit))
-    return 1 if any(limit["verdict"] == "over" for limit in limits) else 0
+    return 1 if any(limit["verdict"] == gpu_limits.FAILED for limit in limits) else 0
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ STEP_S = 0.04  # s of the water's time from frame to frame
 TEXTS = {
     PLAIN: "the scene",
     SECOND_PASS: "first the scene from a mirrored camera, drawn by a renderer of its own, then the scene: "
-                 "what any user could write. Nothing looks the first picture up",
+                 "what any user could write. The first picture is not used",
     COPIES: "the scene, its mirror image as an actor, and a translucent plane between them",
     CALM: "calm water",
     HALF: "calm water, TextureScale 0.5",

@@ -21,12 +21,13 @@ HALF_OVER_CALM = 1.0
 CALM_OVER_SECOND_PASS = 1.0
 SKIP = 1.03  # all skips / all but one
 PIXELS = 0  # that unseen water changes
+OK, FAILED = "ok", "NOT MET"
 
 
 def _is_there(row):
     """An effect that changes no pixel is not the one that was to be measured."""
     return {"figure": f"{row['kind']}: share of pixels that it changes", "value": f"{row['changed']:.4f}",
-            "limit": f">= {LEAST_CHANGE:g}", "verdict": "ok" if row["changed"] >= LEAST_CHANGE else "over"}
+            "limit": f">= {LEAST_CHANGE:g}", "verdict": OK if row["changed"] >= LEAST_CHANGE else FAILED}
 
 
 def check(rows, is_quick=False):
@@ -36,7 +37,7 @@ def check(rows, is_quick=False):
     def add(figure, value, limit, digits=3):
         if value is not None:
             found.append({"figure": figure, "value": f"{value:.{digits}f}", "limit": f"<= {limit:g}",
-                          "verdict": "ok" if value <= limit else "over"})
+                          "verdict": OK if value <= limit else FAILED})
 
     for row in rows:
         scene, motion, kind = row["scene"], row["motion"], row["kind"]

@@ -116,7 +116,7 @@ def text_of(rates):
         return "unknown"
     return (f"{1e-9 * rates['reads_per_s']:.1f} billion reads of a texture a second, "
             f"{1e-12 * rates['multiply_adds_per_s']:.2f} trillion multiply-adds, "
-            f"{1e6 * rates['draw_s']:.1f} us for a small draw that waits for the last")
+            f"{1e6 * rates['draw_s']:.1f} us for a small draw that waits for the previous one")
 
 
 def _least(card, draw):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""gpu_rounds: times of kinds of frames in one window, in turns, in another random order in every round.
+"""gpu_rounds: times of kinds of frames that take turns in one window, in a new random order in every round.
 
 A turn is some frames that settle what the change of the kind upset (queries of hidden water are answered
 a frame or two later, shaders are built), and then those that count. Ratios are taken within a round, so

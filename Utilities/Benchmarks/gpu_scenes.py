@@ -154,7 +154,7 @@ def scenes(is_quick):
 
     found = {}
     add(Scene("2 M", f"hills, one actor of {hills:,} triangles", lambda: [_hills(hills)], wide))
-    add(Scene("18 M", f"the same as {fine:,} triangles", lambda: [_hills(fine)],
+    add(Scene("18 M", f"the same hills, of {fine:,} triangles", lambda: [_hills(fine)],
               QUICK_SIZE if is_quick else FULL_4K))
     add(Scene("1,000 props", f"2 M, and {props:,} boxes, pyramids and balls, an actor each",
               lambda: [_hills(hills), *_things(props, 0.5)], wide))

@@ -3,7 +3,7 @@
 
     PYTHONPATH=<folder of vtkwater>:Testing/Python python Utilities/Benchmarks/lakes.py [--frames 40]
 
-The camera moves in every frame, and both windows render in turns. The ratio is that of the medians of the work: CPU
+The camera moves in every frame, and the two windows take turns. The ratio is that of the medians of the work: CPU
 time of all threads, which other load on the machine changes little. Exit status 1: a limit was not met.
 """
 

@@ -122,7 +122,7 @@ def _table(plain, rows):
         )
     return table(
         (
-            "step",
+            "kind",
             "scale",
             "frame, ms",
             "/ no water",

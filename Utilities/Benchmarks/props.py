@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 SIZE = (32, 24)
 FEW = 10
 COUNTS, QUICK_COUNTS = (1000, 10_000), (1000,)
-RUNS, QUICK_RUNS = 24, 8  # of each kind, in turns; a tenth of it for 10,000 props
+RUNS, QUICK_RUNS = 24, 8  # of each kind, which take turns; a tenth of it for 10,000 props
 FRAMES = 6  # of a run, of which the first do not count: the window was another one
 SETTLING = 2
 LIMIT_STILL_US, LIMIT_MOVING_US = 0.5, 1.0

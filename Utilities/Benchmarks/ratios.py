@@ -20,10 +20,10 @@ MOVING, STILL = "presets, everything moves", "presets, only time moves"
 HIDDEN = 6  # cells of the elevation model that the hidden water is wide to each side
 
 TEXT = """
-Ratios of medians on the terrain, $width x $height pixels, each kind of frame in its own window. In the first group
-scene and camera are still, and only the time of the waves changes. Sheet: a plain plane at the water's level with an
+Ratios of medians on the terrain, $width x $height pixels, each kind of frame in its own window. In the first group,
+scene and camera are still; only the time of the waves changes. Sheet: a plain plane at the water's level with an
 opacity of $opacity. Hidden water lies inside a mountain. Water that faces away has backface culling and is seen from
-its culled side. The benchmark checks that neither changes a pixel. Of eight lakes at eight levels, two are in view.
+its culled side. The benchmark checks that water not seen changes no pixel. Of eight lakes at eight levels, two are in view.
 
 $tables
 """

@@ -15,8 +15,6 @@ UNKNOWN = "n/a"
 class Results(Report):
     """is_quick: fewer frames, fewer steps, smaller pictures."""
 
-    FAILED = "over"
-
     def __init__(self, folder, is_quick):
         super().__init__(folder, TEMPLATE)
         self.is_quick = is_quick

@@ -77,7 +77,7 @@ class Frame:
 
 
 def measure(frames, rounds, budget_s, warm_up=WARM_UP):
-    """Renders all kinds in turns: so many rounds, fewer when the time is over, at least LEAST."""
+    """Renders all kinds, which take turns: so many rounds, fewer when the time is over, at least LEAST."""
     random = np.random.default_rng(SEED)
     order = list(frames)
     gc.collect()

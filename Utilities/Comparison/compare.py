@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""compare: what reflecting water costs here and elsewhere, the same scene, one run, one machine.
+"""compare: what reflective water costs here and elsewhere, the same scene, one run, one machine.
 
     script/compare                   everything, into Documentation/comparison.md and its images
     script/compare --quick           fewer frames, into build/compare

@@ -19,22 +19,24 @@ PAGE = ROOT / "Documentation" / "mirror-matrix.md"
 CLASSES = ROOT / "Testing" / "Python" / "Matrix" / "class_cells.tsv"
 HEAD = """# Reflection conformance
 
-*Written by `script/matrix`; every number in it is measured. To change the text, edit `Testing/Python/Matrix`.*
+*Written by `script/matrix`; every number in it is measured. To change the text, edit `Testing/Python/Matrix`
+or `Utilities/Scripts/mirror_matrix.py`.*
 
-This page lists which of VTK's props, lights, views, windows, passes and backgrounds are reflected exactly. Each cell
-is rendered twice. The first picture shows the scene through calm water of reflectance 1. The second, the truth, uses
-no code of this project: VTK's own camera, mirrored, renders the scene, cut at the water by VTK's clipping planes,
-under the lights placed by the user's camera. An ordinary sheet in the place of the water shows this picture, flipped
-left to right, pixel by pixel, so that VTK composes what lies in front of, above and behind it. If a cell uses another
-truth, its test states it (`Testing/Python/Matrix`).
+This page lists which of VTK's props, lights, views, windows, passes and backgrounds are reflected exactly. Each cell is
+rendered twice. The first picture shows the scene through calm water of reflectance 1. The second, the truth, uses no
+code of this project: VTK's own camera, mirrored, renders the scene, cut at the water by VTK's clipping planes, with the
+lights where the user's camera puts them. An ordinary sheet in place of the water shows this picture pixel by pixel,
+flipped left to right, so that VTK composes what lies in front of, above and behind it. If a cell uses another truth,
+its test states it (`Testing/Python/Matrix`).
 
-The figures are the share of the water's pixels that differ by more than 1/255, and the RMSE of 255 over them. At most
-0.05 % may differ; otherwise the last column gives the reason, and the RMSE is at most 1. If the reason begins with
-*Wrong*, the reflection is known to be wrong. In every other cell, all other pixels equal those of the scene without
-the water within 1/255, or those of the composed picture if a filter mixes them with the water. *Without it* is the
-same share for a picture that lacks the feature under test; it is 0 for a cell that cannot fail. With two windows
-(OSMesa and EGL), the worse figure is given. Statements are true or false. Pairs of pictures are kept in the build
-tree, under `Testing/Temporary*/mirror-matrix`.
+The figures are the share of the water's pixels that differ by more than 1/255, and the RMSE (of 255) over all of the
+water's pixels. At most 0.05 % may differ; otherwise the last column gives the reason, and the RMSE is at most 1 or the
+reason begins with *Wrong*: the reflection is known to be wrong. In every cell that is not *Wrong*, the pixels beside
+the water equal, within 1/255, those of the scene without the water; those of the scene with an ordinary sheet, if any
+sheet changes them (shadow maps, hidden line removal); or those of the composed picture (the one with the sheet), if a
+filter mixes them with the water. *Without it* is the same share for a picture that lacks the feature under test; if it
+were 0, the cell could not fail. With two windows (OSMesa and EGL), the worse figure is given. Statements are true or
+false. Pairs of pictures are kept in the build tree, under `Testing/Temporary*/mirror-matrix`.
 """
 
 
@@ -82,7 +84,8 @@ def classes_without():
     kinds = [row[2] for row in rows]
     names = {kind: [row[0] for row in rows if row[2] == kind] for kind in kinds}
     text = (f"VTK has {len(rows)} concrete props, mappers and passes; `Testing/Python/Matrix/{CLASSES.name}` names the "
-            f"cells of {kinds.count('cell')}. The `New()` of one of these creates {kinds.count('made by')} others. "
+            f"cells of {kinds.count('cell')}. {kinds.count('made by')} others are created by the `New()` of one of "
+            "these. "
             f"{kinds.count('overlay')} are 2D overlays, drawn over the finished picture: "
             f"{', '.join(names['overlay'])}. These have no cell:")
     lines = ["## Classes of VTK without a cell", "", *textwrap.wrap(text, 120), "", "| class | VTK | reason |",

@@ -73,7 +73,7 @@ ACTIONS = {
     "SetSize() to half": lambda view: view.window.SetSize(SIZE[0] // 2, SIZE[1] // 2),
 }
 SHADERS = ("a prop's shader never builds", "a prop's shader never builds, nor did one before")
-FORKS = ("child leaves by os._exit()", "child leaves by sys.exit()", "child renders into its own window",
+FORKS = ("child exits by os._exit()", "child exits by sys.exit()", "child renders into its own window",
          "child renders into the parent's window", "parent renders on")
 
 
@@ -103,7 +103,7 @@ def forked(scene, fork, is_wet, right):
             os._exit(0 if np.array_equal(compare_child, right) else 9)
         if fork == "child renders into the parent's window":
             os._exit(0 if np.array_equal(scene.view.picture(), right) else 9)
-        if fork == "child leaves by sys.exit()":
+        if fork == "child exits by sys.exit()":
             sys.exit(0)
         os._exit(0)
     if fork == "parent renders on":

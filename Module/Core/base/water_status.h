@@ -14,7 +14,7 @@ extern "C"
 
 #define WATER_STATUS_LIST(X)                                                                       \
   X(WATER_OK, "no error")                                                                          \
-  X(WATER_BAD_PLANE, "the water plane needs an origin within 1e100 and a finite normal, not zero") \
+  X(WATER_BAD_PLANE, "the water plane needs an origin within 1e100 and a finite nonzero normal")   \
   X(WATER_BAD_SURFACE,                                                                             \
     "the water has no surface: the scene is empty or its bounds exceed 1e100; add props, set "     \
     "SheetBounds or give the water a mapper")                                                      \
@@ -29,8 +29,7 @@ extern "C"
   X(WATER_BAD_CAMERA,                                                                              \
     "the camera's matrices must be finite and at most 1e100, the view rigid and the projection "   \
     "invertible")                                                                                  \
-  X(WATER_CAMERA_ON_PLANE,                                                                         \
-    "the camera lies exactly on the water plane; it must be above or below")                       \
+  X(WATER_CAMERA_ON_PLANE, "the camera lies on the water plane")                                   \
   X(WATER_BAD_PROP_BOUNDS, "the bounds of every prop must be finite")                              \
   X(WATER_BAD_WAVE_AMPLITUDE,                                                                      \
     "Amplitude of a wave must be finite, not negative and at most 1e9 m")                          \
@@ -45,7 +44,7 @@ extern "C"
   X(WATER_BAD_POINT, "the point must be finite")                                                   \
   X(WATER_BAD_WAVENUMBER, "wave numbers must be finite, not negative and in rising order")         \
   X(WATER_BAD_FREQUENCY, "the angular frequency must be finite and not negative")                  \
-  X(WATER_BAD_SEA_MODEL, "the spectrum's model or spreading is not one of the list")               \
+  X(WATER_BAD_SEA_MODEL, "the spectrum's model or spreading is not in the list")                   \
   X(WATER_BAD_WIND_SPEED, "WindSpeed must lie in [0.1, 100] m/s")                                  \
   X(WATER_BAD_WIND_DIRECTION, "WindDirection must be finite")                                      \
   X(WATER_BAD_FETCH, "Fetch must be at least 1 m; infinity is a fully developed sea")              \
@@ -61,12 +60,12 @@ extern "C"
   X(WATER_BAD_DIRECTION, "a direction must be finite and of unit length")                          \
   X(WATER_BAD_INDEX_RATIO, "the ratio of the indices must be finite and greater than 0")           \
   X(WATER_TOTAL_REFLECTION, "total internal reflection: there is no refracted ray")                \
-  X(WATER_BAD_WATER_TYPE, "the Jerlov water type is not one of the list")                          \
+  X(WATER_BAD_WATER_TYPE, "the Jerlov water type is not in the list")                              \
   X(WATER_BAD_NORMAL_MAP_SIZE, "Size of a normal map must lie in [1e-6, 1e9] m")                   \
   X(WATER_BAD_NORMAL_MAP_MOTION, "Speed and Direction of a normal map must be finite")             \
   X(WATER_BAD_NORMAL_MAP_STRENGTH, "Strength of a normal map must lie in [-1000, 1000]")           \
-  X(WATER_BAD_PRESET, "the preset's name is not one of the list")                                  \
-  X(WATER_BAD_UNITS, "the unit's name is not one of the list")                                     \
+  X(WATER_BAD_PRESET, "the preset's name is not in the list")                                      \
+  X(WATER_BAD_UNITS, "the unit's name is not in the list")                                         \
   X(WATER_BAD_QUALITY_NAME, "the quality's name must be fast, default, high or reference")         \
   X(WATER_BAD_TIME_BUDGET, "TimeBudget must be finite and greater than 0 ms")                      \
   X(WATER_BAD_TARGET_ERROR, "TargetError must be finite and greater than 0 pixels")                \
@@ -75,7 +74,7 @@ extern "C"
     "and not negative")                                                                            \
   X(WATER_RANKS_DIFFERENT_VERSIONS, "all ranks must run the same version of the water")            \
   X(WATER_RANKS_DIFFERENT_WATERS,                                                                  \
-    "all ranks must show the same waters: as many of them, visible on all or on none, and with "   \
+    "all ranks must show the same waters: equally many, visible on all or on none, and with "      \
     "an automatic extent on all or on none")                                                       \
   X(WATER_RANKS_DIFFERENT_LOOKS,                                                                   \
     "a water must have the same plane, look, time and settings on all ranks, and a RankRegion on " \

@@ -34,7 +34,7 @@ typedef struct water_camera
 enum // water_prop.flags, a bit each
 {
   WATER_PROP_VISIBLE = 1 << 0,
-  WATER_PROP_IS_WATER = 1 << 1,      // this water, another sheet of its plane, or it holds water
+  WATER_PROP_IS_WATER = 1 << 1,      // this water, another one in its plane, or it holds water
   WATER_PROP_NO_BOUNDS = 1 << 2,     // fills the view, whatever its bounds: a skybox
   WATER_PROP_NOT_REFLECTED = 1 << 3, // the user's key requests it
   WATER_PROP_OVERLAY = 1 << 4,       // lives on the screen, not in the scene: 2D actors
@@ -65,7 +65,7 @@ typedef struct water_prop
   X(WATER_CULL_EMPTY, "empty")                                                                     \
   X(WATER_CULL_BEHIND_PLANE, "behind the water plane")                                             \
   X(WATER_CULL_OUT_OF_VIEW, "out of the mirrored view")                                            \
-  X(WATER_CULL_OUT_OF_WATER, "out of what the visible water reflects")                             \
+  X(WATER_CULL_OUT_OF_WATER, "outside what the visible water reflects")                            \
   X(WATER_CULL_TOO_SMALL, "too small in the mirrored view")                                        \
   X(WATER_CULL_REFUSED, "rejected by the driver with the lines that reflections need")
 
@@ -83,7 +83,7 @@ enum // water_settings.skips, a bit each: invisible work that may be skipped
   WATER_MAY_SKIP_HIDDEN = 1 << 1,    // the reflection texture of hidden water
   WATER_MAY_SKIP_FAINT = 1 << 2,     // the reflection texture of water that reflects almost nothing
   WATER_MAY_SKIP_UNCHANGED = 1 << 3, // a reflection texture equal to the last one
-  WATER_MAY_SKIP_SHARED = 1 << 4,   // a reflection texture that another sheet of the same plane has
+  WATER_MAY_SKIP_SHARED = 1 << 4,   // a reflection texture that another water in the same plane has
   WATER_MAY_SKIP_PROPS = 1 << 5,    // props that no visible water reflects
   WATER_MAY_SKIP_CLUSTERS = 1 << 6, // parts of large meshes and blocks of data, likewise
   WATER_MAY_SKIP_PIXELS = 1 << 7,   // pixels of the reflection texture, likewise
@@ -92,7 +92,7 @@ enum // water_settings.skips, a bit each: invisible work that may be skipped
 
 // What the plan decided for the frame, and why. WATER_REFLECT is the only one that draws.
 #define WATER_DECISION_LIST(X)                                                                     \
-  X(WATER_NOT_PLANNED, "nothing was planned yet")                                                  \
+  X(WATER_NOT_PLANNED, "nothing has been planned yet")                                             \
   X(WATER_REFLECT, "rendered")                                                                     \
   X(WATER_NO_REFLECT_FAILED, "not rendered: the last plan failed")                                 \
   X(WATER_NO_REFLECT_SELECTING, "not rendered: hardware selection")                                \
@@ -104,7 +104,7 @@ enum // water_settings.skips, a bit each: invisible work that may be skipped
   X(WATER_NO_REFLECT_FACING_AWAY, "not rendered: the water faces away")                            \
   X(WATER_NO_REFLECT_HIDDEN, "not rendered: the water is hidden behind the scene")                 \
   X(WATER_NO_REFLECT_FAINT, "not rendered: the water reflects too little to be seen")              \
-  X(WATER_NO_REFLECT_SHARED, "not rendered: another sheet of the same plane has the reflection")
+  X(WATER_NO_REFLECT_SHARED, "not rendered: another water in the same plane has the reflection")
 
 typedef enum water_decision
 {
@@ -309,7 +309,7 @@ typedef struct water_plan
   double rest_depth;
   double eta; // index beyond the surface / index on the eye's side
 
-  // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms; of an own view the
+  // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms; of the own view the
   // eye itself, with a wider frustum
   water_camera mirrored;
   double mirrored_position[3];

@@ -22,7 +22,7 @@ extern "C"
   X(IN_USE, "the surface is shaded once per pixel, from a buffer")                                 \
   X(OFF, "the setting is off")                                                                     \
   X(HARDWARE, "a GPU draws the surface, which is faster without a buffer")                         \
-  X(NO_MESH, "the surface is no mesh of the user's, or waves displace it")                         \
+  X(NO_MESH, "the surface is not the user's mesh, or waves displace it")                           \
   X(FEATURE, "the water has hulls, a current, a dome port or another output")                      \
   X(SHORT_SHADER, "the shader is short: opaque calm water on a level mesh")                        \
   X(PARALLEL, "the camera has a parallel projection")                                              \

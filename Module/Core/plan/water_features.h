@@ -4,8 +4,8 @@
 // A feature is a bit. The shader is a sequence of slots, each filled by one file of Module/GLSL or
 // by none: files and not branches, because software renderers execute both sides of a branch. The
 // lists below are the only place that names files, their order and what each stands for; the shader
-// is put together from them, Documentation/architecture.md has their table, and tests compile every
-// combination of files that a look can ask for.
+// is put together from them, Documentation/architecture.md has their table, and tests compile a
+// selection of the combinations of files that a look can ask for (check_glsl.sh --all: every one).
 #ifndef water_features_h
 #define water_features_h
 
@@ -62,7 +62,7 @@ extern "C"
   X(SHORE, "a user's mesh is cut at the shore while it is drawn")                                  \
   X(OPEN, "open water: no ground is under it")                                                     \
   X(BELOW_LAYER, "the own view has a layer of translucent props")                                  \
-  X(RANK_REGION, "a rank shows the water in its own part of the space")
+  X(RANK_REGION, "a rank shows the water in its own part of space")
 
 typedef enum water_feature_bit
 {
@@ -137,8 +137,8 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(hulls, vtkWaterHullsFS, WATER_FEATURE_FLAG(HULLS), 0, "no water inside hulls")                 \
   X(hulls, vtkWaterNoHullsFS, 0, WATER_FEATURE_FLAG(HULLS), "no hulls in the water")               \
   X(region, vtkWaterRankRegionFS, WATER_FEATURE_FLAG(RANK_REGION), 0,                              \
-    "only the rank's own part of the space")                                                       \
-  X(region, vtkWaterNoRankRegionFS, 0, WATER_FEATURE_FLAG(RANK_REGION), "all of the space")        \
+    "only the rank's own part of space")                                                           \
+  X(region, vtkWaterNoRankRegionFS, 0, WATER_FEATURE_FLAG(RANK_REGION), "all of space")            \
   X(sky, vtkWaterSkyColorFS, 0, WATER_FEATURES_SKY, "the background: one colour")                  \
   X(sky, vtkWaterSkyScreenFS, WATER_FEATURE_FLAG(SKY_SCREEN), 0,                                   \
     "the background: a picture, or a gradient")                                                    \
@@ -414,7 +414,7 @@ water_feature_set water_features_with_below_layer(water_feature_set features);
 // Adds the feature of water in which hulls float.
 water_feature_set water_features_with_hulls(water_feature_set features);
 
-// Adds the feature of water that a rank shows only in its own part of the space.
+// Adds the feature of water that a rank shows only in its own part of space.
 water_feature_set water_features_with_rank_region(water_feature_set features);
 
 // Adds the feature of a user's mesh whose surface is in a buffer; not without heights of vertices.

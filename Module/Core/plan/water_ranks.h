@@ -59,7 +59,7 @@ typedef struct water_rank_view
   double wave_height_max;
   double is_averaged; // 1: waves are averaged over a pixel; 0: they are not
   double max_samples; // a pixel, that the rank's GPU has; 0: none
-  // Whose part of the space is farthest from the eye, where the ranks' pictures are blended in an
+  // Whose part of space is farthest from the eye, where the ranks' pictures are blended in
   // order; -1: they are compared by depth. The root's number counts.
   double farthest_rank;
   // By the rank's part of a mesh, too:
@@ -143,16 +143,16 @@ uint64_t water_ranks_digest_waves(uint64_t digest, const water_wave_term* terms,
 double water_ranks_digest_number(uint64_t digest);
 
 // Does a rank's picture show the water? Where the ranks' pictures are compared by depth, all do.
-// Where they are blended in an order, the farthest does: the others are transparent at their water,
+// Where they are blended in order, the farthest does: the others are transparent at their water,
 // so that they hide neither it nor what is in it.
 //
 // farthest_rank  of water_ranks_view
 bool water_rank_shows_water(int farthest_rank, size_t rank);
 
-// Is a box a part of the space? Each minimum is below its maximum; both may be infinite.
+// Is a box a part of space? Each minimum is below its maximum; both may be infinite.
 bool water_rank_region_is_there(const double region[6]);
 
-// The sides of a rank's part of the space, for a surface of which the rank shows what lies in it:
+// The sides of a rank's part of space, for a surface of which the rank shows what lies in it:
 // (x, y, height, 1) -> how far a point is inside. x, y: on the plane, from the point under the eye;
 // height: towards the eye. The two sides of an axis come one after the other, as in bounds. A point
 // on a side belongs to the part above: it is inside if the distance to a minimum is >= 0, and that

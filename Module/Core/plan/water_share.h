@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_share.h: in addition to the plan: may two sheets of water share one mirrored view?
+// water_share.h: in addition to the plan: may two waters share one mirrored view?
 #ifndef water_share_h
 #define water_share_h
 
@@ -14,7 +14,7 @@ typedef struct water_share
 {
   water_plane plane;
   double origin[3];     // of the plane's own axes, where waves count from
-  const void* look;     // tells whether two sheets have the same look
+  const void* look;     // tells whether two waters have the same look
   bool is_clear;        // the scene is seen through it
   bool is_displaced;    // waves move the surface itself
   bool is_opaque;       // drawn with the opaque geometry

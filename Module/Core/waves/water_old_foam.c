@@ -64,7 +64,7 @@ static double chance_to_rise(double level, double likeness)
   return sum;
 }
 
-// The mean share that is foam. What breaks once at a place leaves foam for a life time.
+// The mean share that is foam. What breaks once at a place leaves foam for a lifetime.
 static double cover_of(const crests* of, double level, double life_s)
 {
   const double breaking = share_above(level);

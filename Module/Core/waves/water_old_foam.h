@@ -3,7 +3,7 @@
 //
 // A crest is white while it breaks. Its foam stays at its place on the water, and decays. The foam
 // at a place and a time is therefore the maximum, over earlier times, of the foam that broke there
-// then, times exp(-age / life time). Earlier times are multiples of a step, so all pictures use the
+// then, times exp(-age / lifetime). Earlier times are multiples of a step, so all pictures use the
 // same ones, and nothing is carried over from picture to picture. Only the sea's first tile leaves
 // foam, because the foam of large breakers lasts longest; its places are at rest.
 //
@@ -22,7 +22,7 @@ extern "C"
 {
 #endif
 
-#define WATER_FOAM_LIFE_MAX 10.0 // s, of the life time
+#define WATER_FOAM_LIFE_MAX 10.0 // s, of the lifetime
 
 enum
 {

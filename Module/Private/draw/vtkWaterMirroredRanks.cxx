@@ -217,7 +217,8 @@ const char* vtkWaterMirroredView::JoinMore(vtkRenderer* renderer, const water_pl
   if (draft.Agree(facts).Result != WATER_RANKS_DRAWN)
   {
     return isDrawn ? nullptr
-                   : "the GPU gave no framebuffer for translucent props, or for what is behind";
+                   : "the GPU gave no framebuffer for translucent props, or for the second "
+                     "layer (RayTraceLayers)";
   }
   if (drawing.HasBlended && !this->JoinLayers(draft, order, parts))
   {

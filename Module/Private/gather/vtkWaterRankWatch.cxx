@@ -81,7 +81,7 @@ void vtkWaterRankWatch::Say(double seconds, bool isLast)
     "this water with a controller and render each frame, and none may have ended. %s\n",
     this->Who.c_str(), seconds, this->What,
     isLast ? "The time of SetRankWaitLimit is over: this process ends."
-           : "It goes on waiting; SetRankWaitLimit ends it.");
+           : "It keeps waiting; SetRankWaitLimit can limit this.");
   std::fflush(stderr);
 }
 

@@ -318,7 +318,7 @@ vtkWaterError vtkWaterReflection::Describe(const vtkWaterShortage& shortage)
     error.Kind = shortage.What;
     error.Text = error.Kind +
       (shortage.TriangleCount > 0
-          ? ": one of " + std::to_string(shortage.TriangleCount) + " triangles"
+          ? " (" + std::to_string(shortage.TriangleCount) + " triangles)"
           : "") +
       ". The reflection is drawn without culling; the next frame tries again.";
   }
@@ -351,7 +351,8 @@ vtkWaterError vtkWaterReflection::Commit(const Frame& frame, Attempt& attempt)
     this->Decline(WATER_NO_REFLECT_FAILED);
     error.Kind = attempt.Failure;
     error.Text = error.Kind +
-      (frame.Primary ? ", for water in the reflection. It reflects the sky there."
+      (frame.Primary ? ", in the secondary view of a water that appears in this reflection. That "
+                       "water reflects the sky there."
                      : ". The water shows its plain colour.");
   }
   else

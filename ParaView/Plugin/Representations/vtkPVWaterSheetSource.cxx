@@ -29,7 +29,7 @@ void vtkPVWaterSheetSource::SetExtent(int extent)
 {
   if (extent < AUTOMATIC || extent > BOUNDS)
   {
-    vtkErrorMacro("Extent is " << extent << ", must be in [0, 3].");
+    vtkErrorMacro("Extent is " << extent << "; it must lie in [0, 3].");
     return;
   }
   if (this->Extent != extent)
@@ -104,7 +104,7 @@ int vtkPVWaterSheetSource::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (this->UsePlane && vtkMath::Norm(this->Normal) == 0.0)
   {
-    vtkErrorMacro("Normal is (0, 0, 0), must not be zero: it points out of the water.");
+    vtkErrorMacro("Normal is (0, 0, 0); it must point out of the water.");
     return 0;
   }
   vtkNew<vtkDoubleArray> values;

@@ -61,7 +61,7 @@ public:
 
   ///@{
   /**
-   * Extent of the sheet (Extents). Another value is rejected with an error. Default is AUTOMATIC.
+   * Extent of the sheet (Extents). Other values are rejected with an error. Default is AUTOMATIC.
    */
   void SetExtent(int extent);
   vtkGetMacro(Extent, int);

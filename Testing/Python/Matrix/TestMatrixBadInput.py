@@ -82,7 +82,7 @@ def bad_prop(name, make, words, is_drawn=False):
     row.say(f"{name}: the water beside it is right", (error > 1).mean() <= mm.EXACT_PERCENT / 100)
     row.say(f"{name}: VTK's error is there" if words else f"{name}: no error, as without water",
             words in said if words else said == said_without)
-    row.say(f"{name}: without it, the next picture is right and silent",
+    row.say(f"{name}: once it is removed, the next picture is right, without an error",
             np.abs(after_picture - plain).max() <= 1 and after_said == "")
     row.say(f"{name}: texture units and references are as before",
             (units_in_use(scene), references(scene, water)) == before)
@@ -137,8 +137,9 @@ row.register("a volume without transfer functions", bad_prop, volume_without_fun
 row.register("a volume without input", bad_prop, empty_volume, "has 0 connections")
 
 
-def passes(name, set_up, words=None):
-    """A pass that is wrong: said once at most, and the scene is drawn; set_up returns who says it."""
+def passes(name, set_up, words=None, shown="the props are drawn"):
+    """A pass that is wrong: said once at most; set_up returns how to undo it. Nothing is rendered by passes that lead
+    back to each other: then what is shown is the last picture."""
     scene = mm.Scene(mm.SEEN)
     things(scene)
     wt.add_water(scene.renderer, wt.plane((0, 0, 0), (0, 0, 1)), mm.SHEET)
@@ -150,11 +151,11 @@ def passes(name, set_up, words=None):
     seen, _ = frames(scene)
     row.say(f"{name}: the errors in {FRAMES} frames: {1 if words else 0}",
             len(errors) == (1 if words else 0) and (not words or words in errors[0]))
-    row.say(f"{name}: the props are drawn", np.abs(seen - good).max(axis=2)[mm.SIZE[1] // 2 + 40:].max() <= 1)
+    row.say(f"{name}: {shown}", np.abs(seen - good).max(axis=2)[mm.SIZE[1] // 2 + 40:].max() <= 1)
     scene.renderer.SetPass(None)
     undo()
     after, _ = frames(scene)
-    row.say(f"{name}: without it, the next picture is right", np.abs(after - good).max() <= 1)
+    row.say(f"{name}: once it is removed, the next picture is right", np.abs(after - good).max() <= 1)
     row.say(f"{name}: texture units are as before", units_in_use(scene) == before)
 
 
@@ -180,7 +181,8 @@ def cycle(scene, first):
 
 row.register("a pass without a delegate", passes, no_delegate)
 row.register("a pass that is its own delegate", passes, own_delegate, "DelegatePass is the pass itself")
-row.register("two passes that are each other's delegates", passes, cycle, "leads back")
+row.register("two passes that are each other's delegates", passes, cycle, "leads back",
+             "the last picture stays")
 
 
 @row.makes("a pass shared by two renderers")
@@ -210,7 +212,7 @@ def shared_pass():
     own = mm.Scene(mm.SEEN, size=(half, mm.SIZE[1]))
     things(own)
     wt.add_water(own.renderer, wt.plane((0, 0, 0), (0, 0, 1)), mm.SHEET)
-    row.say("a pass shared by two renderers: and what one alone shows",
+    row.say("a pass shared by two renderers: each shows what one alone shows",
             np.abs(pictures[-1][:, :half] - own.pixels()).max() <= 1)
 
 

@@ -65,7 +65,7 @@ def show(name, apply, in_mirror=None, others=mm.FILTERED, **options):
             in_mirror(scene)
 
     row.show(name, fill, others=others, **options)
-    row.say(f"{name}: what was on still is", flags_of(remembered["scene"]) == remembered["flags"])
+    row.say(f"{name}: the renderer's flags are kept", flags_of(remembered["scene"]) == remembered["flags"])
 
 
 def cell(name, *arguments, **options):
@@ -182,7 +182,7 @@ def hidden_lines_remain(name):
     scene.renderer.UseHiddenLineRemovalOff()
     mask = mm.water_pixels(scene, water)
     off = scene.pixels()
-    row.say(f"{name}: turned off, the reflection has them", (np.abs(off - on)[mask] > 1).sum() > 100)
+    row.say(f"{name}: turned off, hidden lines are reflected", (np.abs(off - on)[mask] > 1).sum() > 100)
     actors = scene.renderer.GetActors()
     kinds = [actors.GetItemAsObject(i).GetProperty().GetRepresentation() for i in range(actors.GetNumberOfItems())]
     row.say(f"{name}: wireframes are wireframes", kinds.count(1) == 2)

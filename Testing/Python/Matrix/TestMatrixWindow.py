@@ -285,10 +285,11 @@ def insides():
     beside = np.pad(shared, 1)
     near = np.any([beside[1 + i:beside.shape[0] - 1 + i, 1 + j:beside.shape[1] - 1 + j]
                    for i in (-1, 0, 1) for j in (-1, 0, 1)], axis=0)
-    row.say("8 samples, the inside of what is cut: only pixels depend on it that a thing and the water share, "
-            "or beside one",
+    row.say("8 samples, the inside of what is cut: only pixels shared by a thing and the water, or next to these, "
+            "depend on it",
             near[changed > 1].all(), reason=reason)
-    row.say("8 samples, the inside of what is cut: by no more than the hidden samples' share and one of its contrast",
+    row.say("8 samples, the inside of what is cut: changes a pixel by at most the water's share of it, times the share "
+            "of hidden samples and one more, times the contrast",
             (changed <= 255 * water * (1 - water + one_sample) + 2).all(), reason=reason)
 
 
