@@ -777,7 +777,8 @@ public:
   ///@{
   /**
    * Probes of the ray-traced lookup: the number of samples between the water and the point where
-   * the ray converged, in [0, 64]. Default is 6.
+   * the ray converged, in [0, 64]. Default is 6. Pixels that do not resolve their waves also send a
+   * nearly level ray, which has up to 12 samples of its own.
    */
   void SetRayTraceProbes(int probes);
   vtkGetMacro(RayTraceProbes, int);

@@ -119,7 +119,7 @@ def main():
     look.SetSeaCascades(3)
     look.WaveGeometryOn()
     look.WhitecapsOn()
-    look.SetRayTraceQualityToHigh()  # less grain in the ship's reflection
+    look.SetRayTraceQualityToHigh()  # rays also find what is behind the nearest objects
     water.SetSheetToHorizon()
     water.SetTime(time)
 

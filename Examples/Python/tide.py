@@ -60,7 +60,7 @@ def main():
     scene.add_ground(surface_of_heights(heights, (spacing, spacing)), 0.0, EXAGGERATION)
     water = scene.add_water(0.0, "clear tropical", wind=WIND)
     water.GetWaterProperty().SetFetch(20e3)  # m
-    water.GetWaterProperty().SetRayTraceQualityToHigh()  # less grain in what the waves reflect of the land
+    water.GetWaterProperty().SetRayTraceQualityToHigh()  # rays also find what is behind the nearest objects
     water.GetWaterProperty().SetFoamDepth(0.3 * EXAGGERATION)
     water.SetSheetBounds(-80e3, 96e3, -80e3, 6e3)  # the open sea to the horizon; land is in the north
     scene.set_sun(105.0, 35.0)

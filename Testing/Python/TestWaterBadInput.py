@@ -68,7 +68,7 @@ def judge(name, words, spoil, mend, plain_water=True):
 
 
 @pytest.mark.parametrize("name, normal, words", (
-    ("zero normal", (0, 0, 0), ("(0, 0, 0)", "not zero")),
+    ("zero normal", (0, 0, 0), ("(0, 0, 0)", "nonzero")),
     ("normal with NaN", (0, NAN, 1), ("nan", "finite")),
     ("infinite normal", (0, 0, INFINITY), ("inf", "finite")),
 ), ids=("zero", "nan", "infinite"))

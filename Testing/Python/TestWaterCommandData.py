@@ -495,4 +495,4 @@ def test_another_unit_is_warned_of(folder, capsys):
     status, _, said = run(folder, capsys, "render", folder / "cm.vtp", "--level", "zeta", "--depth", "h", "--bed", "zb",
                           *LOOK, "--out", folder / "cm.png")
     wt.check_equal("status", status, 0)
-    wt.check_equal(f"warned of in: {said}", said.count("'zeta' seems to have another unit"), 1)
+    wt.check_equal(f"warned of in: {said}", said.count("'zeta' seems to differ in unit"), 1)

@@ -374,7 +374,7 @@ def test_another_unit_is_warned_of(plotter):
     """Once, when the water is added, and not again in its frames."""
     mesh = solution()
     mesh["zeta"] = 100.0 * np.asarray(mesh["zeta"])
-    with pytest.warns(UserWarning, match="'zeta' seems to have another unit.*'zb' is -1.5 to 1.5") as caught:
+    with pytest.warns(UserWarning, match="'zeta' seems to differ in unit.*'zb' is -1.5 to 1.5") as caught:
         plotter.add_water(mesh, level="zeta", depth="h", bed="zb")
     mesh["zeta"] = np.asarray(mesh["zeta"]) + 1.0
     from_above(plotter)

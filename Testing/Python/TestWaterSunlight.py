@@ -225,7 +225,7 @@ def test_caustics_are_where_rays_gather():
 
 
 @pytest.mark.parametrize("setter, value, words", (
-    ("SetSlopeVariance", (-0.1, 0.1), ("-0.1", "not negative")),
+    ("SetSlopeVariance", (-0.1, 0.1), ("-0.1", "must lie in [0, ")),
     ("SetSlopeVariance", (0.1, float("nan")), ("nan", "finite")),
     ("SetSlopeVarianceToWind", (0.0,), ("0 m/s", "[0.1, 100]")),
     ("SetCaustics", (2.0,), ("2", "[0, 1]")),

@@ -201,10 +201,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     WATER_FEATURE_FLAG(TRANSLUCENT), "none")                                                       \
   X(blur, vtkWaterBlurFS, WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET),             \
-    WATER_FEATURE_FLAG(TRANSLUCENT) | WATER_FEATURE_FLAG(HARDWARE_FACETS),                         \
-    "facets, blurred over the distance between them")                                              \
-  X(blur, vtkWaterHardwareBlurFS, WATER_FEATURE_FLAG(HARDWARE_FACETS),                             \
-    WATER_FEATURE_FLAG(TRANSLUCENT), "the same, all facets at once")                               \
+    WATER_FEATURE_FLAG(TRANSLUCENT), "facets, blurred over the distance between them")             \
   X(blur, vtkWaterNoBlurFS, WATER_FEATURE_FLAG(ENVIRONMENT), 0, "none")                            \
   X(caustics, vtkWaterCausticsFS, WATER_FEATURE_FLAG(CAUSTICS), 0, "light that waves focus")       \
   X(caustics, vtkWaterNoCausticsFS, 0, WATER_FEATURE_FLAG(CAUSTICS), "none")                       \

@@ -4,9 +4,12 @@
 // The slopes are Gaussian about the pixel's mean one, along the azimuth of the view only: at a low
 // view a slope across it turns the reflection little. A facet counts by the part of the pixel that
 // it covers, nothing when it faces away from the eye. Of the slopes so weighted the mean and the
-// variance are exact, and two nodes (Gauss and Hermite's) stand for them, or four for rough water.
+// variance are exact, and two nodes (Gauss and Hermite's) stand for them, or three for rough water. Here is also what makes
+// several facets one picture: the edges between what they see.
 // Source: Abramowitz and Stegun 1964, "Handbook of Mathematical Functions", table 25.10.
 
+const float WATER_OVER_LEVEL = 0.3; // spreads; rays of rough water's facets are at least that far over a level one
+const float WATER_LAYER_APART = 0.55; // spreads, from a facet to its two rays to the translucent layer
 const float WATER_ROUGH = 1e-3; // slope variance whose reflection blurs by four degrees
 // At a low angle even small slopes change how much is reflected: a pixel has one facet only if they differ by no more than
 // 22 % of the sine of the angle at which the eye sees the plane. This is the square.
@@ -54,38 +57,87 @@ vec2 waterFacetSlopes(WaterPoint point, float spread)
 int waterFacetCount(float variance, float sine)
 {
   float mostOfOne = min(waterSmooth, WATER_GRAZING * sine * sine);
-  int count = variance > WATER_ROUGH ? 4 : (variance > mostOfOne ? 2 : 1);
+  int count = variance > WATER_ROUGH ? 3 : (variance > mostOfOne ? 2 : 1);
   return waterShowsMean() ? 1 : count;
 }
 
-// The place of one of several facets among its slopes: two nodes, or four: the means of the slopes' quarters.
+// The slope of one of several facets, from the least to the greatest, in spreads: Gauss and Hermite's nodes.
 float waterFacetNode(int i, int count)
 {
-  float node = (i & 1) == 0 ? -1.0 : 1.0;
-  return node * (count == 4 ? (i < 2 ? 0.378 : 1.363) : 1.0);
+  return count == 3 ? 1.7320508 * float(i) - 1.7320508 : 2.0 * float(i) - 1.0;
 }
 
-// Where the ray of one of several facets goes among its slopes. One of several rays of a pixel has its own: of eight or
-// sixteen parts of all slopes four rays have different ones. What only the steepest slopes show is lost between nodes.
-//
-// ray  of the pixel; 0: the only one
-float waterFacetAim(int i, int count, int ray)
+// The share of all slopes that are less than those of a facet, where it sees the same object as the facet before it.
+float waterFacetBegins(int i, int count)
 {
-  int part = (ray + (i < 2 ? 0 : 2)) & 3;
-  part = (i & 1) == 0 ? part : 3 - part;
-  vec4 inner = count == 4 ? vec4(0.078, 0.237, 0.403, 0.580) : vec4(0.158, 0.491, 0.892, 1.647);
-  vec4 means = i < 2 ? inner : vec4(0.777, 1.013, 1.325, 1.968);
-  float aim = ((i & 1) == 0 ? -1.0 : 1.0) * dot(means, vec4(equal(ivec4(part), ivec4(0, 1, 2, 3))));
-  return ray > 0 ? aim : waterFacetNode(i, count);
+  return count == 3 ? max(0.6666667 * float(i) - 0.5, 0.0) : 0.5 * float(i);
 }
 
-// How wide a part of the sky each of several facets stands for, radians: a slope turns a ray by twice its angle. The share
-// of their distance is that of waterBlurred, of a way to both sides.
+// The share of all slopes that are less than one between two facets. Between only two it goes from 0 to 1, and its mean up
+// to 0 is that of a Gaussian: an edge that passes one of them would be seen as a line otherwise.
+//
+// level  slope whose ray is level: lesser ones meet the water again, which reflects them up, as the greater ones at the same
+//        distance
+float waterSlopeShare(float slope, float level, int count)
+{
+  float square = slope * slope;
+  return count == 2 ? 0.5 + 0.5 * sign(slope) * square * square
+                    : waterNormalShare(slope) - waterNormalShare(2.0 * level - slope);
+}
+
+// The slope whose ray is level, in spreads against the mean one: -tan(half the angle at which the eye sees the plane).
+float waterLevelSlope(WaterPoint point, vec2 azimuth, vec2 slopes)
+{
+  float level = dot(point.normal.xy, azimuth) / point.normal.z - abs(point.ray.z) / (1.0 + length(point.ray.xy));
+  return (level - slopes.x) / max(slopes.y, 1e-9);
+}
+
+// The slope that the ray of a facet has: those of rough water see what is over the water.
+float waterFacetAim(float node, float level, int count)
+{
+  return count > 2 ? max(node, level + WATER_OVER_LEVEL) : node;
+}
+
+// Finds where two neighbours, of which one sees something nearer than the other, change from one to the other:
+// the edge of the nearer. Without, the edges would be seen once per facet. A facet whose ray would meet the nearer
+// object has missed it, and sees it, too; its edge to the facet before it stays. waterNearest is the ray's of the facet with
+// the greater slope, and not greater than the other's.
+void waterFindBorder(vec3 start, int i, int count, float level, inout WaterFacet last, inout WaterFacet seen)
+{
+  float depth = min(last.depth, seen.depth);
+  float depthOn = depth + waterSameWithin(depth);
+  bool isLast = last.depth <= seen.depth; // the nearer
+  vec2 lastWay = waterRayAt(start, seen, last.depth) - last.uv;
+  vec2 seenWay = waterRayAt(start, last, seen.depth) - seen.uv;
+  vec2 on = isLast ? last.uv : seen.uv;
+  vec2 way = isLast ? lastWay : seenWay;
+  bool isBorder = i > 0 && depth < 1.0 && max(last.depth, seen.depth) > depthOn;
+  float part = waterEdgeBetween(on, way, depthOn, isBorder);
+  bool isMissed = isBorder && part >= 1.0;
+  isBorder = isBorder && part < 1.0;
+  float slope = mix(last.slope, seen.slope, isLast ? part : 1.0 - part);
+  seen.begins = max(isBorder ? waterSlopeShare(slope, level, count) : waterFacetBegins(i, count), last.begins);
+  bool isSeenMissed = isMissed && isLast;
+  bool isLastMissed = isMissed && !isLast;
+  seen.uv = isSeenMissed ? on + way : seen.uv;
+  seen.depth = isSeenMissed ? depth : seen.depth;
+  seen.isPlace = seen.isPlace || isSeenMissed;
+  last.uv = isLastMissed ? on + way : last.uv;
+  last.depth = isLastMissed ? depth : last.depth;
+  last.isPlace = last.isPlace || isLastMissed;
+  // blurred as far as the next one, but not over the edge
+  float lastApart = (isBorder && isLast ? part : 1.0) * length(waterReflectionPx() * (isLastMissed ? way : lastWay));
+  last.apart = i > 1 ? 0.5 * (last.apart + lastApart) : lastApart;
+  seen.apart = i > 0 ? (isBorder && !isLast ? part : 1.0) * length(waterReflectionPx() * (isSeenMissed ? way : seenWay)) : 0.0;
+}
+
+// How wide a part of the sky each of several facets stands for, radians: a share of the way to the next one. A slope turns a
+// ray by twice its angle.
 //
 // spread  of the slopes
 float waterFacetSpread(float spread, int count)
 {
-  return 0.6 * (count == 4 ? 0.9 : 2.0) * spread * 2.0;
+  return 0.6 * (count == 3 ? 1.7 : 2.0) * spread * 2.0;
 }
 
 // slope  against the pixel's own, along the azimuth

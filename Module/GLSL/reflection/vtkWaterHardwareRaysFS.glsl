@@ -18,9 +18,36 @@ float waterSlackAt(float depth)
   return -waterReflectionTolerance.x * depth + waterReflectionTolerance.x * waterReflectionZInfinity;
 }
 
+vec2 waterReflectionPx()
+{
+  return waterReflectionTexels;
+}
+
 float waterTop()
 {
   return max(waterReflectionTop, 0.0);
+}
+
+// Halves as the one in vtkWaterRayWalkFS.glsl, twice with each round of looks.
+float waterEdgeBetween(vec2 on, vec2 way, float depth, bool isWanted)
+{
+  float part = 1.0;
+  if (isWanted)
+  {
+    vec4 at = vec4(0.25, 0.5, 0.75, 1.0);
+    vec4 met = vec4(waterDepthToMeet(on + at.x * way), waterDepthToMeet(on + at.y * way),
+      waterDepthToMeet(on + at.z * way), waterDepthToMeet(on + way));
+    if (met.w > depth)
+    {
+      float low = met.y <= depth ? (met.z <= depth ? 0.75 : 0.5) : (met.x <= depth ? 0.25 : 0.0);
+      at.xyz = low + 0.25 * at.xyz;
+      met.xyz = vec3(waterDepthToMeet(on + at.x * way), waterDepthToMeet(on + at.y * way),
+        waterDepthToMeet(on + at.z * way));
+      low = met.y <= depth ? (met.z <= depth ? at.z : at.y) : (met.x <= depth ? at.x : low);
+      part = low + 0.03125;
+    }
+  }
+  return part;
 }
 
 // Has an estimate converged, as far as its own place tells?
@@ -71,9 +98,8 @@ void waterTestProbes(vec3 depths, vec3 start, vec3 way, float part, ivec3 probe,
 }
 
 // Probes an estimate that has converged, three and three at once.
-void waterProbe(vec3 start, int most, inout WaterRayHit hit, inout WaterProbed probed)
+void waterProbe(vec3 start, int probes, WaterRayHit hit, inout WaterProbed probed)
 {
-  int probes = waterProbesOf(hit, most);
   float part = hit.s / float(probes + 1);
   for (int first = 1; first <= probes && probed.isFree; first += 6)
   {
@@ -253,7 +279,7 @@ void waterFollowRay(vec3 start, inout WaterRayHit hit)
       depth = waterDepthToMeet(start.xy + s * hit.line.xy);
     }
     WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
-    waterProbe(start, max(waterProbes, 0), hit, probed);
+    waterProbe(start, waterProbesOf(hit, max(waterProbes, 0)), hit, probed);
     float rayDepth = min(start.z + hit.s * hit.line.z, 1.0);
     hit.isSettled = probed.isFree && !waterMayPassBehind(probed.depthBefore, hit.depth, rayDepth);
     if (hit.isSettled)
@@ -267,24 +293,16 @@ void waterFollowRay(vec3 start, inout WaterRayHit hit)
   }
 }
 
-// The place of one of several facets: what its probes found, about where that is.
-void waterTakeNear(vec3 start, inout WaterRayHit hit)
+// As in vtkWaterRayWalkFS.glsl, of one of several facets that is neither followed nor scanned.
+void waterRefineHit(vec3 start, bool isFollowed, bool isScanned, inout WaterRayHit hit)
 {
-  if (hit.near < hit.depth)
+  int probes = waterHasConverged(start, hit) ? waterProbesOf(hit, min(waterProbes, WATER_FACET_PROBES)) : 0;
+  WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
+  waterProbe(start, probes, hit, probed);
+  if (probed.near < hit.depth)
   {
-    hit.uv = start.xy + clamp((hit.near - start.z) * waterPerDepth(hit.line), 0.0, 1.0) * hit.line.xy;
+    hit.uv = start.xy + clamp((probed.near - start.z) * waterPerDepth(hit.line), 0.0, 1.0) * hit.line.xy;
+    hit.depth = probed.near;
     hit.isPlace = true;
-  }
-}
-
-// As in vtkWaterRayWalkFS.glsl, of one of several facets.
-void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit)
-{
-  if (waterHasConverged(start, hit))
-  {
-    WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
-    waterProbe(start, min(waterProbes, WATER_FACET_PROBES), hit, probed);
-    hit.near = probed.near;
-    waterTakeNear(start, hit);
   }
 }

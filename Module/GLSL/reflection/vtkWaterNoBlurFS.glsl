@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterNoBlurFS.glsl: slot blur of a reflection that has no reflection texture: its facets add up.
+// vtkWaterNoBlurFS.glsl: slot blur of a reflection that has no reflection texture.
 
-vec3 waterBlurred(WaterPlaces places, int count)
+vec3 waterFacetColor(WaterFacet facet)
 {
-  return vec3(0.0);
+  return facet.color;
 }

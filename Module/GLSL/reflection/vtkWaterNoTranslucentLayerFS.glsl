@@ -10,4 +10,4 @@ float waterDepthAt(vec2 uv)
 
 void waterCross(WaterPoint point, inout WaterRayHit hit) {}
 
-void waterCrossFacet(WaterPoint point, vec3 normal, int i, inout WaterRayHit hit) {}
+void waterCrossFacet(WaterPoint point, vec3 lower, vec3 upper, inout WaterFacet facet) {}

@@ -20,13 +20,15 @@ const int WATER_HIDDEN = 4;
 const int WATER_DOWNWARD = 5;
 
 
-const int WATER_FACET_PROBES = 3; // for one of several facets
+const int WATER_FACET_PROBES = 3; // for one of several facets, but the first
 
 const float WATER_PROBE_PX = 6.0; // between probes; the default's are closer on ways below 42
 
-const float WATER_OUT_STRIDE = 0.25; // of a step of the march: the depth of one surface changes little in it
+const float WATER_SCAN_PX = 6.0; // between the probes of the first of several facets, about
+const int WATER_SCAN_ROUNDS = 3;   // of four probes, at most
+const int WATER_SCAN_HALVINGS = 3; // of the step between two probes
 
-const float WATER_UNMET = 2.0; // depth of what a ray cannot meet: beyond the background's
+const float WATER_OUT_STRIDE = 0.25; // of a step of the march: the depth of one surface changes little in it
 
 float waterFloor = -1e30;   // height that no ray of this pixel meets anything below
 float waterNearest = -1e30; // depth that the ray meets nothing before
@@ -66,6 +68,12 @@ bool waterMayPassBehind(float depthBefore, float depth, float rayDepth)
 {
   float slack = waterSlackAt(depthBefore);
   return depth > depthBefore + slack && rayDepth > depthBefore - slack;
+}
+
+// Rounds of four probes of the first of several facets, on a way of so many texels.
+int waterScanRounds(float lengthPx)
+{
+  return clamp(int(lengthPx / (4.0 * WATER_SCAN_PX)), 1, WATER_SCAN_ROUNDS);
 }
 
 // What a ray meets in the reflection texture. Its path ends where it leaves the reflection texture,
@@ -231,6 +239,34 @@ bool waterComesOut(vec3 start, vec3 way, bool isWanted, float depth, inout float
 // Finds out where the ray of an estimate ends: one that has not converged is marched, others are refined; of the
 // slot walk.
 void waterFollowRay(vec3 start, inout WaterRayHit hit);
+
+// What several facets need of each other; facet_slopes says what for.
+vec2 waterReflectionPx(); // of the slot walk
+
+vec2 waterRayAt(vec3 start, WaterFacet facet, float depth)
+{
+  return start.xy + waterPlaceOnRay(start, facet.line.z, depth) * facet.line.xy;
+}
+
+float waterSameWithin(float depth)
+{
+  return waterReflectionTolerance.y * (waterReflectionZInfinity - depth);
+}
+
+// Where on a way that begins on an object its edge is, within 1/32 of the way: 1 if all of it is on the object; of the slot walk.
+//
+// depth     no part of the object is deeper
+// isWanted  or else nothing is looked at
+float waterEdgeBetween(vec2 on, vec2 way, float depth, bool isWanted);
+
+void waterKeepHit(WaterRayHit hit, inout WaterFacet facet)
+{
+  facet.line = vec3(hit.line.xy, waterPerDepth(hit.line));
+  facet.depth = hit.isPlace && !waterIsSky(hit.depth) ? hit.depth : WATER_UNMET;
+  facet.uv = hit.uv;
+  facet.isPlace = hit.isPlace;
+  facet.color = hit.color;
+}
 
 // Keeps the place of what a ray meets off the waterline. Surfaces are read with a filter, and beyond the waterline there is
 // nothing of them.

@@ -33,6 +33,11 @@ float waterSlackAt(float depth)
   return waterToSlack.x * depth + waterToSlack.y;
 }
 
+vec2 waterReflectionPx()
+{
+  return waterReflectionSize;
+}
+
 float waterTop()
 {
   return waterHighest;
@@ -74,6 +79,47 @@ void waterProbe(vec3 start, int most, inout WaterRayHit hit)
   } while (probe <= probes && isSettled);
   hit.isSettled = isSettled && !waterMayPassBehind(depthBefore, depth, rayDepth);
   hit.near = depthNear;
+}
+
+// Probes the way of the first of several facets closely, all of it if the estimate has not converged.
+void waterScan(vec3 start, bool isWanted, inout WaterRayHit hit)
+{
+  vec3 way = hit.line;
+  float rayDepth = start.z + hit.s * way.z;
+  bool isSettled = hit.s >= 1.0 ? min(rayDepth, 1.0) <= hit.depth : abs(rayDepth - hit.depth) <= waterSlackAt(hit.depth);
+  float end = isSettled ? hit.s : 1.0;
+  int probes = isWanted ? 4 * waterScanRounds(end * length(way.xy * waterReflectionSize)) : 0;
+  float part = end / float(probes + 1);
+  bool isMet = false;
+  bool isBehind = false;
+  float high = 0.0;
+  float depthLow = hit.depthStart; // of the reflection texture
+  float depthHigh = hit.depthStart;
+  for (int probe = 1; probe <= probes && !isMet; ++probe)
+  {
+    high = part * float(probe);
+    float rayDepth = min(start.z + high * way.z, 1.0);
+    depthLow = depthHigh;
+    depthHigh = waterDepthToMeet(start.xy + high * way.xy);
+    isBehind = rayDepth > depthHigh;
+    isMet = isBehind || waterMayPassBehind(depthLow, depthHigh, rayDepth);
+  }
+  float low = high - part;
+  for (int i = 0; i < WATER_SCAN_HALVINGS; ++i)
+  {
+    float middle = 0.5 * (low + high);
+    float depth = waterDepthToMeet(start.xy + middle * way.xy);
+    float rayDepth = min(start.z + middle * way.z, 1.0);
+    bool isHigh = rayDepth > depth || (!isBehind && waterMayPassBehind(depthLow, depth, rayDepth));
+    isBehind = isBehind || rayDepth > depth;
+    low = isHigh ? low : middle;
+    depthLow = isHigh ? depthLow : depth;
+    high = isHigh ? middle : high;
+    depthHigh = isHigh ? depth : depthHigh;
+  }
+  hit.uv = isMet ? start.xy + (isBehind ? high : low) * way.xy : hit.uv;
+  hit.depth = isMet ? (isBehind ? depthHigh : depthLow) : hit.depth;
+  hit.isPlace = hit.isPlace || isMet;
 }
 
 // Marches a ray that has not converged, and refines others.
@@ -163,15 +209,33 @@ void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit)
   hit.isPlace = !isSky || !waterIsSkyKnown();
 }
 
-// Probes. A ray that is not marched meets what they find, about where that is.
-void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit)
+float waterEdgeBetween(vec2 on, vec2 way, float depth, bool isWanted)
 {
-  waterProbe(start, isFollowed ? waterProbesOfOne : waterProbesOfSeveral, hit);
+  float low = 0.0;
+  float high = 2.0; // the first look is at the end
+  int rest = isWanted ? 5 : 0;
+  for (int i = 0; i < rest; ++i)
+  {
+    float middle = 0.5 * (low + high);
+    bool isOn = waterDepthToMeet(on + middle * way) <= depth;
+    low = isOn ? middle : low;
+    high = isOn ? high : middle;
+    rest = low < 1.0 ? rest : 0;
+  }
+  return min(0.5 * (low + high), 1.0);
+}
+
+// Probes. A ray that is not marched meets what they find, about where that is.
+void waterRefineHit(vec3 start, bool isFollowed, bool isScanned, inout WaterRayHit hit)
+{
+  waterProbe(start, isFollowed ? waterProbesOfOne : (isScanned ? 0 : waterProbesOfSeveral), hit);
   float perDepth = waterPerDepth(hit.line);
   bool isNear = hit.near < hit.depth && !isFollowed;
   float s = clamp((hit.near - start.z) * perDepth, 0.0, 1.0);
   hit.uv = isNear ? start.xy + s * hit.line.xy : hit.uv;
+  hit.depth = isNear ? hit.near : hit.depth;
   hit.isPlace = hit.isPlace || isNear;
+  waterScan(start, isScanned && !isFollowed, hit);
 }
 
 void waterFollowRay(vec3 start, inout WaterRayHit hit)

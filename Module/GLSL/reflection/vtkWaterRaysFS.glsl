@@ -45,7 +45,6 @@ vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, in
   do
   {
     WaterPoint at = waterMovedPoint(point, waterRayPlace(ray, rays), across, down);
-    waterRay = ray;
     vec4 seen;
     int why = reason;
     vec2 where = uv;

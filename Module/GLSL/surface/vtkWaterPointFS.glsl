@@ -33,7 +33,6 @@ uniform sampler2D waterSceneSeen; // then from the pixel's middle to where the s
 
 #include "vtkWaterDataColor.glsl"
 
-int waterRay = 0; // of several rays of a pixel; 0: the first, or the only one
 float waterSmooth = 2e-5; // slope variance up to which a pixel has one facet: its reflection blurs by half a degree
 
 struct WaterPoint
@@ -55,14 +54,29 @@ struct WaterPoint
   float startW;   // w of that in clip space of the reflection texture
 };
 
-// What up to four facets see in the reflection texture, and the share of each. Not an array: software renderers are
-// slow with a place in one that is known late.
-struct WaterPlaces
+const float WATER_UNMET = 2.0; // depth of what a ray cannot meet: beyond the background's
+const float WATER_FACET_BLUR = 0.25; // what a facet sees is blurred by so much of the distance to its neighbours'
+
+// What one of a pixel's facets sees, as far as its neighbour needs it.
+struct WaterFacet
 {
-  vec4 inner; // two places
-  vec4 outer;
-  vec4 shares; // 0: not a place of the reflection texture
+  float slope;  // of the facet, in spreads of the slopes
+  float light;  // its reflectance
+  vec3 line;    // of its ray: u, v, 1 / what it gains in depth
+  float depth;  // of what it meets; from 1 on: nothing
+  vec2 uv;      // where the reflection texture shows that
+  bool isPlace; // or else
+  vec3 color;   // this is what it sees
+  float begins; // share of all slopes that are less than this facet's
+  float apart;  // texels to what its neighbours see
+  vec4 layer;   // two places where it sees the translucent layer
+  bool hasLayer;
 };
+
+WaterFacet waterNoFacet()
+{
+  return WaterFacet(0.0, 0.0, vec3(1.0), WATER_UNMET, vec2(0.0), false, vec3(0.0), 0.0, 0.0, vec4(0.0), false);
+}
 
 // From the pixel's middle to that of those samples which are not of something over the water: what is looked up in
 // the middle may be the inside of that.

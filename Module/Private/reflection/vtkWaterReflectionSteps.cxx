@@ -317,9 +317,8 @@ vtkWaterError vtkWaterReflection::Describe(const vtkWaterShortage& shortage)
   {
     error.Kind = shortage.What;
     error.Text = error.Kind +
-      (shortage.TriangleCount > 0
-          ? " (" + std::to_string(shortage.TriangleCount) + " triangles)"
-          : "") +
+      (shortage.TriangleCount > 0 ? " (" + std::to_string(shortage.TriangleCount) + " triangles)"
+                                  : "") +
       ". The reflection is drawn without culling; the next frame tries again.";
   }
   return error;

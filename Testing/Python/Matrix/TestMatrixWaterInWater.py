@@ -93,10 +93,10 @@ def add_waves(waters, geometry=False):
 LOW = Sheet((-1.5, 3, 0.8), (0, -0.5, 0.866), (-3, 3, -2.2, 3))
 rough = Sheet(LOW.origin, LOW.normal, LOW.bounds, variance=VARIANCE / 2)
 cell("water with waves", gradient, [rough], prepare=add_waves, wrong=[LOW], exact=False,
-     reason="Its waves appear as the mean of all times, with four facets; the truth has 80.")
+     reason="Its waves appear as the mean of all times, with three facets; the truth has 80.")
 cell("water with waves that displace it", gradient, [rough], prepare=lambda waters: add_waves(waters, True),
      wrong=[LOW], exact=False,
-     reason="It is drawn at rest, with its waves as the mean of all times and four facets; the truth has 80.")
+     reason="It is drawn at rest, with its waves as the mean of all times and three facets; the truth has 80.")
 
 
 # What of other water makes the reflection texture a new one.
