@@ -194,7 +194,7 @@ private:
   // What a frame of a renderer begins with, and ends with.
   void BeginFrame(vtkRenderer* renderer);
   void EndFrame();
-  // Which of them draws the waters.
+  // Finds out whether this renderer is a software renderer, and whether its clip distances work.
   void ReadRenderer(vtkRenderer* renderer);
   // Reads a step for meshes that are cut while they are drawn. false: the filter is to cut.
   bool ReadUncut(vtkAlgorithmOutput* input);

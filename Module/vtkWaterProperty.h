@@ -208,9 +208,9 @@ public:
    * Colour of infinitely deep water: it is visible where the water does not reflect and, with
    * Refraction, where the water is deep. Red, green, blue, each in [0, 1]. Setting it sets
    * DeepColorMode to GIVEN. In the mode MEDIUM, the default, GetDeepColor returns the colour under
-   * white daylight, and a colour of the actor's vtkProperty overrides it. For an eye under water,
-   * the haze is derived from it, and depends on depth, direction and the sun; a colour that was set
-   * is the haze everywhere.
+   * white daylight; if the actor's vtkProperty has a colour, that colour is drawn instead. For an
+   * eye under water, the haze is derived from it, and depends on depth, direction and the sun; a
+   * colour that was set is the haze everywhere.
    */
   void SetDeepColor(double red, double green, double blue);
   void SetDeepColor(const double rgb[3]) { this->SetDeepColor(rgb[0], rgb[1], rgb[2]); }
@@ -479,9 +479,10 @@ public:
 
   ///@{
   /**
-   * Changes the numbers of a wave (those of AddWave), or removes it; the numbers of later waves
-   * then decrease by one. The wave's number must lie in [0, GetNumberOfWaves() - 1]. Returns false,
-   * with an error, if it does not or if the new numbers are rejected; no wave changes then.
+   * SetWave changes the five values of a wave (those of AddWave). RemoveWave removes it; the index
+   * of each later wave then decreases by one. The wave's number must lie in [0, GetNumberOfWaves()
+   * - 1]. Returns false, with an error, if it does not or if the new numbers are rejected; no wave
+   * changes then.
    */
   bool SetWave(int number, double amplitude, double wavelength, double direction = 0.0,
     double phase = 0.0, double steepness = 0.0);
@@ -918,7 +919,7 @@ private:
   // Replaces the waves if the new ones are valid; otherwise reports what is wrong.
   bool UseWaves(std::vector<water_wave>& waves, int number, const char* otherwise);
   // Rejects a colour with a channel outside [0, 1].
-  // Returns whether the colour is one.
+  // Returns whether the colour is valid.
   bool SetColor(const char* name, double (&member)[3], double red, double green, double blue);
   void UpdateDeepColor();
   void PrintSea(ostream& os, vtkIndent indent) const;

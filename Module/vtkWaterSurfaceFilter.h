@@ -180,7 +180,8 @@ private:
   bool IsSignTold = false;
   bool IsLandTold = false;
   std::array<vtkMTimeType, 5> Checked{}; // the cells whose points have been checked
-  vtkNew<vtkPolyData> Surface;           // whose mean it is, until it is known
+  vtkNew<vtkPolyData>
+    Surface; // the surface from which MeanLevel is still to be computed; empty afterwards
   std::unique_ptr<vtkWaterGridPolygons> Polygons;
 };
 

@@ -165,8 +165,9 @@ def add_scene_arguments(parser):
     water.add_argument("--opacity", type=number(0.0, 1.0), metavar="SHARE",
                        help="opacity, 0 to 1; below 1 the water is blended with what lies behind it")
     water.add_argument("--refraction", action=argparse.BooleanOptionalAction,
-                       help="whether the scene is visible through the surface; default: as in the preset; "
-                            "without a preset yes, unless --color or --opacity is given")
+                       help="whether the scene is visible through the surface; default: no with --color-by, whose "
+                            "colours hide the bed; otherwise as in the preset; without a preset yes, unless --color or "
+                            "--opacity is given")
     water.add_argument("--own-view", action=argparse.BooleanOptionalAction,
                        help="whether the refracted colours come from an additional view of what lies below the water, "
                             "wider than the picture; turns refraction on; default no")

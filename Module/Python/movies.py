@@ -4,8 +4,8 @@
     with open_movie("tide.gif", frames_per_second=12) as movie:
         movie.add(picture)    # rows x columns x RGB of 8 bits
 
-Finished pictures are kept, even if an exception ends the block. If there is none, an existing file of that name does
-not change.
+Finished pictures are kept, even if an exception ends the block. If no picture was finished, an existing file of
+that name does not change.
 `interrupts()` makes Ctrl-C wait until the current picture is complete:
 
     with interrupts() as is_stopped:

@@ -145,7 +145,8 @@ def cf_reader(path):
 
 
 def check_dimensions(path):
-    """Raise a FileError if every variable of two or more dimensions has an empty one, as in a run that has just begun:
+    """Raise a FileError if every variable of two or more dimensions has a dimension of length 0,
+    as in a run that has just begun:
     VTK's reader would crash.
 
     Needs the package netCDF4.

@@ -94,7 +94,7 @@ def ends_within(data, at, elements, kind):
 
 
 def end_of_lists(data, at, count, properties, order):
-    """Where elements with lists end; beyond the data if these end before."""
+    """Where elements with lists end; a position beyond the end of the data if the data end earlier."""
     if len(properties) == 1 and count and at < len(data):  # mostly they are all of one length
         length, item = (order + WHOLE[properties[0][0]], SIZES[properties[0][1]])
         size = np.dtype(length).itemsize

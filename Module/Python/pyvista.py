@@ -163,8 +163,10 @@ def add_water(
         is False.
 
     refraction : bool, optional
-        Whether the scene is visible through the surface, refracted and attenuated. By default the preset decides.
-        Without a preset the default is True, unless ``color`` or ``opacity`` is given.
+        Whether the scene is visible through the surface, refracted and attenuated. By default the preset
+        decides; without a preset the default is True, unless ``color`` or ``opacity`` is given. With
+        ``color_by`` the default is False, because opaque colours hide the bed, unless ``data_opacity`` is
+        below 1 or another argument turns refraction on.
 
     own_view : bool, optional
         Whether the refracted colours come from an additional view of what lies below the water, twice as wide and
@@ -288,7 +290,7 @@ def add_water(
     ValueError
         If a value is out of its range or has the wrong number of elements, if two arguments contradict each other, if
         the surface has no polygon that could be water, or if its mean height differs from ``level`` by more than 1 %
-        of its diagonal. The text names both.
+        of its diagonal. The text names the values, and what is accepted or which arguments contradict each other.
 
     Warns
     -----

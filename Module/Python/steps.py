@@ -25,7 +25,8 @@ def check_times(path, times, may_repeat=False):
 class Reader:
     """The steps of one of VTK's readers.
 
-    hint: what may be wrong where a mesh or array is missing; may_repeat: of two steps with one time, only one is read
+    hint: what may be wrong where a mesh or array is missing; may_repeat: whether two steps may have
+    the same time; only one of them is then read
     """
 
     is_lonlat = False

@@ -25,8 +25,7 @@ pixels, three views together:
 $shares
 
 **Sky, behind** can be determined only by the tracer: the ray meets nothing, but passes behind an object in the
-mirrored view. The mirrored view cannot tell whether the ray meets the back of that object, so the module correctly
-reports it as hidden; the figures with limits count it as hidden.
+mirrored view. The mirrored view cannot tell whether the ray meets the back of that object, so "hidden" is the correct reason for the module to report, and the figures with limits count these pixels as hidden.
 
 $matrices
 """

@@ -212,7 +212,7 @@ def _judge(report, results, modes):
                                      MOST_RATIO)
             continue
         ratios = [ratio(result.row, mode) for result in results]
-        report.check_at_most(f"edges with {mode}: median of error / error without water", float(np.median(ratios)),
+        report.check_at_most(f"edges with {mode}: median of error / error with an opaque plane", float(np.median(ratios)),
                              MOST_RATIO)
 
 

@@ -43,8 +43,8 @@ Work left out, compared with drawing everything (SKIP_NONE). A prop is needed if
 mirror image on a pixel of water. Of the fragments, one is needed for each pixel of water that reflects something. This
 is a lower bound: to reach it, all fragments would have to be drawn front to back, which drawing prop by prop cannot do.
 Share: how much of the unneeded work is left out. On the water: how many fragments of the same frames are drawn on
-pixels of visible water by the rules for GPUs, with a mask of these pixels. They can be more than "drawn", by the rules
-for software. The last column has the share of the other fragments that is left out.
+pixels of visible water by the rules for GPUs, with a mask of these pixels. They can be more than those in the column "drawn", which is counted by the rules for software.
+The last column has the share of the other fragments that is left out.
 
 $shares
 """

@@ -87,7 +87,7 @@ def classes_without():
             f"cells of {kinds.count('cell')}. {kinds.count('made by')} others are created by the `New()` of one of "
             "these. "
             f"{kinds.count('overlay')} are 2D overlays, drawn over the finished picture: "
-            f"{', '.join(names['overlay'])}. These have no cell:")
+            f"{', '.join(names['overlay'])}. The remaining ones have no cell, for these reasons:")
     lines = ["## Classes of VTK without a cell", "", *textwrap.wrap(text, 120), "", "| class | VTK | reason |",
              "|---|---|---|"]
     return lines + [f"| {name} | {versions.replace(' ', ', ')} | {text} |" for name, versions, kind, text in rows
