@@ -73,6 +73,12 @@ float waterFacetBegins(int i, int count)
   return count == 3 ? max(0.6666667 * float(i) - 0.5, 0.0) : 0.5 * float(i);
 }
 
+// The share of all slopes that a facet stands for, where all see the same object.
+float waterFacetShare(int i, int count)
+{
+  return count == 3 ? (i == 1 ? 0.6666667 : 0.1666667) : (count == 2 ? 0.5 : 1.0);
+}
+
 // The share of all slopes that are less than one between two facets. Between only two it goes from 0 to 1, and its mean up
 // to 0 is that of a Gaussian: an edge that passes one of them would be seen as a line otherwise.
 //
@@ -116,7 +122,11 @@ void waterFindBorder(vec3 start, int i, int count, float level, inout WaterFacet
   bool isMissed = isBorder && part >= 1.0;
   isBorder = isBorder && part < 1.0;
   float slope = mix(last.slope, seen.slope, isLast ? part : 1.0 - part);
-  seen.begins = max(isBorder ? waterSlopeShare(slope, level, count) : waterFacetBegins(i, count), last.begins);
+  // slopes that change sides keep their reflectance
+  float moved = isBorder ? waterSlopeShare(slope, level, count) - waterFacetBegins(i, count) : 0.0;
+  float lit = clamp(moved * (moved > 0.0 ? seen.light : last.light), -last.weight, seen.weight);
+  last.weight += lit;
+  seen.weight -= lit;
   bool isSeenMissed = isMissed && isLast;
   bool isLastMissed = isMissed && !isLast;
   seen.uv = isSeenMissed ? on + way : seen.uv;

@@ -23,7 +23,8 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   float eta = max(waterEta, 0.0);
   WaterFacet last = waterNoFacet();
   WaterRayHit hit;
-  vec4 reflected = vec4(0.0); // and the reflectance
+  vec3 reflected = vec3(0.0);
+  reflectance = 0.0;
   int i = 0;
   do
   {
@@ -32,6 +33,8 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
     seen.slope = isOne ? 0.0 : waterFacetAim(node, level, count);
     float cosine = waterFacing(point.ray, waterFacetNormal(point, azimuth, slopes.x + node * slopes.y));
     seen.light = isFresnel ? waterFresnel(cosine, eta) : given;
+    seen.weight = waterFacetShare(i, count) * seen.light;
+    reflectance += seen.weight;
     vec3 normal = waterFacetNormal(point, azimuth, slopes.x + seen.slope * slopes.y);
     bool isFirst = i == 0;
     hit = waterEstimateHit(point, normal);
@@ -43,7 +46,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
       waterCrossFacet(point, waterFacetNormal(point, azimuth, slopes.x + (seen.slope - WATER_LAYER_APART) * slopes.y),
         waterFacetNormal(point, azimuth, slopes.x + (seen.slope + WATER_LAYER_APART) * slopes.y), seen);
     }
-    reflected += (seen.begins - last.begins) * last.light * vec4(waterFacetColor(last), 1.0);
+    reflected += last.weight * waterFacetColor(last);
     last = seen;
     ++i;
   } while (i < count);
@@ -58,7 +61,6 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
     uv = hit.uv;
     waterKeepHit(hit, last);
   }
-  reflected += (1.0 - last.begins) * last.light * vec4(waterFacetColor(last), 1.0);
-  reflectance = reflected.a;
-  return waterIsReflecting != 0 ? reflected.rgb : vec3(0.0);
+  reflected += last.weight * waterFacetColor(last);
+  return waterIsReflecting != 0 ? reflected : vec3(0.0);
 }

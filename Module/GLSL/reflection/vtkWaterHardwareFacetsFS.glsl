@@ -166,12 +166,15 @@ vec3 waterSeveralFacets(WaterPoint point, vec2 azimuth, float variance, int coun
   float depth = waterDepthAt(point.start.xy);
   waterSpread = waterFacetSpread(slopes.y, count);
   WaterFacet last = waterNoFacet();
-  vec4 reflected = vec4(0.0); // and the reflectance
+  vec3 reflected = vec3(0.0);
+  reflectance = 0.0;
   for (int i = 0; i < count; ++i)
   {
     WaterFacet seen = waterNoFacet();
     float node = waterFacetNode(i, count);
     seen.light = waterFacetReflectance(point, waterFacetNormal(point, azimuth, slopes.x + node * slopes.y));
+    seen.weight = waterFacetShare(i, count) * seen.light;
+    reflectance += seen.weight;
     seen.slope = waterFacetAim(node, level, count);
     vec3 normal = waterFacetNormal(point, azimuth, slopes.x + seen.slope * slopes.y);
     WaterFacetRay ray = waterAimFacet(point, normal, depth);
@@ -182,13 +185,11 @@ vec3 waterSeveralFacets(WaterPoint point, vec2 azimuth, float variance, int coun
       waterFacetNormal(point, azimuth, slopes.x + (seen.slope + WATER_LAYER_APART) * slopes.y), seen);
     if (i > 0)
     {
-      reflected += (seen.begins - last.begins) * last.light * vec4(waterFacetColor(last), 1.0);
+      reflected += last.weight * waterFacetColor(last);
     }
     last = seen;
   }
-  reflected += (1.0 - last.begins) * last.light * vec4(waterFacetColor(last), 1.0);
-  reflectance = reflected.a;
-  return reflected.rgb;
+  return reflected + last.weight * waterFacetColor(last);
 }
 
 // As in vtkWaterFacetsFS.glsl.

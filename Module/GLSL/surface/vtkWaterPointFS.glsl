@@ -67,7 +67,7 @@ struct WaterFacet
   vec2 uv;      // where the reflection texture shows that
   bool isPlace; // or else
   vec3 color;   // this is what it sees
-  float begins; // share of all slopes that are less than this facet's
+  float weight; // its share of all slopes times their reflectance
   float apart;  // texels to what its neighbours see
   vec4 layer;   // two places where it sees the translucent layer
   bool hasLayer;
