@@ -177,7 +177,8 @@ static bool is_empty(const char* slot, water_feature_set features)
   {
     return !(features & WATER_FEATURE_FOAM);
   }
-  if (strcmp(slot, "layer") == 0 || strcmp(slot, "behind") == 0 || strcmp(slot, "end") == 0)
+  if (strcmp(slot, "layer") == 0 || strcmp(slot, "behind") == 0 || strcmp(slot, "edges") == 0 ||
+    strcmp(slot, "end") == 0)
   {
     return !(features & lookups);
   }
@@ -238,8 +239,8 @@ TEST(slots_stand_in_their_order)
     "scattered", "slopes", "highlights", "cover", "measure", "gain", "cell", "place", "under",
     "height", "clarity", "point", "pixel", "hulls", "region", "sky", "floor", "tile", "slope",
     "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves", "output", "reflection",
-    "dome", "end", "walk", "behind", "layer", "blur", "caustics", "picture", "haze", "medium",
-    "below", "shafts", "others", "refraction", "ground", "facet_slopes", "facets", "rays",
+    "dome", "end", "walk", "edges", "behind", "layer", "blur", "caustics", "picture", "haze",
+    "medium", "below", "shafts", "others", "refraction", "ground", "facet_slopes", "facets", "rays",
     "shadows", "glitter", "whitecaps", "foam_data", "foam", "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "matter", "foam", "shore", "depth" };

@@ -11,12 +11,14 @@ WALLS = {  # lower and upper corner; the most RMSE of 255 with default and with 
     "high": (np.array([(-15.0, 79.0, -1.0), (15.0, 81.0, 19.0)]), {"default": 18.0, "high": 18.0}),
     "low": (np.array([(-25.0, 59.0, -1.0), (25.0, 61.0, 4.0)]), {"default": 22.0, "high": 22.0}),
 }
+SLAB = np.array([(-60.0, 59.0, 11.0), (60.0, 69.0, 12.5)])  # hangs over the water
+HORIZON = 90  # rows that show water alone
 ROWS, COLUMNS = range(4, 84, 8), range(20, 220, 16)
 SIDE = 7  # rays in each direction of a pixel
 
 
-def sea(wall):
-    """A red wall on a wind sea that is a mirror."""
+def sea(wall, color=(1.0, 0.0, 0.0)):
+    """A wall on a wind sea that is a mirror."""
     view = wt.View(SIZE, background=SKY)
     water = wt.add_water(view.renderer)
     look = water.GetWaterProperty()
@@ -25,7 +27,7 @@ def sea(wall):
     look.SetFetch(60e3)
     look.SetSeaCascades(3)
     water.SetSheetToHorizon()
-    wt.add_actor(view.renderer, wt.box(wall.mean(axis=0), wall[1] - wall[0]), (1.0, 0.0, 0.0), lit=False)
+    wt.add_actor(view.renderer, wt.box(wall.mean(axis=0), wall[1] - wall[0]), color, lit=False)
     wt.place_camera(view.renderer, (0.0, 0.0, 8.0), (0.0, 30.0, 0.0), (0.5, 5000.0))
     return view, water
 
@@ -76,3 +78,17 @@ def test_a_sea_reflects_what_many_rays_meet(monkeypatch, name, software):
         label = f"{name} wall, {quality}"
         wt.check_at_most(f"{label}: RMSE of 255", float(np.sqrt(((picture - truth) ** 2).mean())), limit)
         wt.check_at_most(f"{label}: mean, from the truth's", float(abs(picture.mean() - truth.mean())), 4.0)
+
+
+@pytest.mark.parametrize("software", ["1", "0"])
+def test_what_looks_like_the_sky_changes_no_water(monkeypatch, software):
+    """A slab over the sea in the sky's colour: its edges give slopes to another facet, which keep their reflectance."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", software)
+    view, water = sea(SLAB, SKY)
+    water.GetWaterProperty().SetReflectanceModeToFresnel()
+    water.GetWaterProperty().SetDeepColor(0.0, 0.0, 0.0)
+    with_slab = view.picture().astype(int)[:HORIZON]
+    view.renderer.GetActors().GetLastActor().VisibilityOff()
+    without = view.picture().astype(int)[:HORIZON]
+    wt.check_at_least("the water's blue", float(without[..., 2].mean()), 5.0)
+    wt.check_at_most("a slab of the sky's colour: largest difference of the water", int(abs(with_slab - without).max()), 1)

@@ -191,6 +191,9 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(walk, vtkWaterRayWalkFS, WATER_FEATURE_FLAG(RAY_TRACED), WATER_FEATURE_FLAG(HARDWARE_RAYS),    \
     "sequential reads")                                                                            \
   X(walk, vtkWaterHardwareRaysFS, WATER_FEATURE_FLAG(HARDWARE_RAYS), 0, "several reads at once")   \
+  X(edges, vtkWaterFacetEdgesFS, WATER_FEATURE_FLAG(RAY_TRACED), 0, "edges between facets")        \
+  X(edges, vtkWaterNoFacetEdgesFS, WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(OFFSET),   \
+    0, "none")                                                                                     \
   X(behind, vtkWaterBehindFS, WATER_FEATURE_FLAG(PEELED), 0, "rays continue behind edges")         \
   X(behind, vtkWaterNoBehindFS,                                                                    \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \

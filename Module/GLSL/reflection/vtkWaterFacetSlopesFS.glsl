@@ -76,7 +76,7 @@ float waterFacetBegins(int i, int count)
 // The share of all slopes that a facet stands for, where all see the same object.
 float waterFacetShare(int i, int count)
 {
-  return count == 3 ? (i == 1 ? 0.6666667 : 0.1666667) : (count == 2 ? 0.5 : 1.0);
+  return (i + 1 < count ? waterFacetBegins(i + 1, count) : 1.0) - waterFacetBegins(i, count);
 }
 
 // The share of all slopes that are less than one between two facets. Between only two it goes from 0 to 1, and its mean up

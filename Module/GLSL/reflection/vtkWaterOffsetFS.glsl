@@ -57,32 +57,7 @@ int waterReason(WaterRayHit hit)
   return 1;
 }
 
-// What several facets need of each other: here, facets have no edges.
 vec2 waterReflectionPx()
 {
   return vec2(textureSize(waterReflection, 0));
-}
-
-vec2 waterRayAt(vec3 start, WaterFacet facet, float depth)
-{
-  return facet.line.xy;
-}
-
-float waterSameWithin(float depth)
-{
-  return 0.0;
-}
-
-float waterEdgeBetween(vec2 on, vec2 way, float depth, bool isWanted)
-{
-  return 1.0;
-}
-
-void waterKeepHit(WaterRayHit hit, inout WaterFacet facet)
-{
-  facet.line = vec3(hit.uv, 1.0); // the place is that at all depths
-  facet.depth = WATER_UNMET;
-  facet.uv = hit.uv;
-  facet.isPlace = hit.isPlace;
-  facet.color = hit.color;
 }

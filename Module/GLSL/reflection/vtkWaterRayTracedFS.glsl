@@ -240,34 +240,6 @@ bool waterComesOut(vec3 start, vec3 way, bool isWanted, float depth, inout float
 // slot walk.
 void waterFollowRay(vec3 start, inout WaterRayHit hit);
 
-// What several facets need of each other; facet_slopes says what for.
-vec2 waterReflectionPx(); // of the slot walk
-
-vec2 waterRayAt(vec3 start, WaterFacet facet, float depth)
-{
-  return start.xy + waterPlaceOnRay(start, facet.line.z, depth) * facet.line.xy;
-}
-
-float waterSameWithin(float depth)
-{
-  return waterReflectionTolerance.y * (waterReflectionZInfinity - depth);
-}
-
-// Where on a way that begins on an object its edge is, within 1/32 of the way: 1 if all of it is on the object; of the slot walk.
-//
-// depth     no part of the object is deeper
-// isWanted  or else nothing is looked at
-float waterEdgeBetween(vec2 on, vec2 way, float depth, bool isWanted);
-
-void waterKeepHit(WaterRayHit hit, inout WaterFacet facet)
-{
-  facet.line = vec3(hit.line.xy, waterPerDepth(hit.line));
-  facet.depth = hit.isPlace && !waterIsSky(hit.depth) ? hit.depth : WATER_UNMET;
-  facet.uv = hit.uv;
-  facet.isPlace = hit.isPlace;
-  facet.color = hit.color;
-}
-
 // Keeps the place of what a ray meets off the waterline. Surfaces are read with a filter, and beyond the waterline there is
 // nothing of them.
 vec2 waterPlaceOver(vec3 start, WaterRayHit hit)

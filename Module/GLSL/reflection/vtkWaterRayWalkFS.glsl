@@ -43,6 +43,13 @@ float waterTop()
   return waterHighest;
 }
 
+// Has an estimate converged, as far as its own place tells?
+bool waterHasConverged(vec3 start, WaterRayHit hit)
+{
+  float rayDepth = start.z + hit.s * hit.line.z;
+  return hit.s >= 1.0 ? min(rayDepth, 1.0) <= hit.depth : abs(rayDepth - hit.depth) <= waterSlackAt(hit.depth);
+}
+
 // Tests whether an estimate has converged on what the ray meets.
 //
 // Loops are tested at their end: software renderers execute their bodies once more than needed otherwise.
@@ -54,9 +61,7 @@ void waterProbe(vec3 start, int most, inout WaterRayHit hit)
   float s = hit.s;
   float depth = hit.depth;
   float rayDepth = min(start.z + s * way.z, 1.0);
-  bool isSettled = s >= 1.0
-    ? rayDepth <= depth
-    : abs(start.z + s * way.z - depth) <= waterSlackAt(depth);
+  bool isSettled = waterHasConverged(start, hit);
   // nothing nearer on the way; of a short one fewer probes miss no more
   float lengthPx = s * length(way.xy * waterReflectionSize);
   int probes = isSettled ? min(most, int(lengthPx / WATER_PROBE_PX)) : 0;
@@ -85,9 +90,7 @@ void waterProbe(vec3 start, int most, inout WaterRayHit hit)
 void waterScan(vec3 start, bool isWanted, inout WaterRayHit hit)
 {
   vec3 way = hit.line;
-  float rayDepth = start.z + hit.s * way.z;
-  bool isSettled = hit.s >= 1.0 ? min(rayDepth, 1.0) <= hit.depth : abs(rayDepth - hit.depth) <= waterSlackAt(hit.depth);
-  float end = isSettled ? hit.s : 1.0;
+  float end = waterHasConverged(start, hit) ? hit.s : 1.0;
   int probes = isWanted ? 4 * waterScanRounds(end * length(way.xy * waterReflectionSize)) : 0;
   float part = end / float(probes + 1);
   bool isMet = false;

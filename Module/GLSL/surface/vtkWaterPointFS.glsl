@@ -4,7 +4,7 @@
 // The slots, each one file of several: sky (waterSky), floor (waterOverFloor), place (waterPlaceOf,
 // waterTilt), under (waterIsUnder), height (waterHeightOf), pixel (waterPerW, waterChangeAcross), hulls (waterLeaveHulls),
 // region (waterKeepToRegion), waves
-// (waterRipple), reflection (waterReflected), layer (waterCross), caustics (waterCaustic), body (waterTransmitted), facets
+// (waterRipple), reflection (waterReflected), layer (waterCross), edges (waterRayAt), caustics (waterCaustic), body (waterTransmitted), facets
 // (waterFacets), rays (waterMirrored), shadows (waterShadowed), glitter (waterGlint), foam
 // (waterFoamShare, waterFoamLit), sun (waterSunlit), port (waterThroughPort), output (waterShow); vtkWaterSurfaceFS.glsl puts them together. They
 // are files and not branches because software renderers execute both sides of a branch.
