@@ -315,8 +315,9 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_camera(vtk_water_s
   const double eye[3], const double target[3], const double up[3], double angle_deg);
 
 /* Renders. pixels: NULL, or a buffer of width x height x 3 bytes that receives red, green and blue,
- * top row first; byte_count: its size. If a water cannot be drawn, the function
- * returns VTK_WATER_BAD_VALUE, once per problem; the picture then shows the rest of the scene. */
+ * top row first; byte_count: its size. If a water cannot be drawn, the picture
+ * shows the rest of the scene. The first call that meets the problem returns VTK_WATER_BAD_VALUE;
+ * later calls report it again only after a change. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_render(
   vtk_water_scene* scene, unsigned char* pixels, size_t byte_count);
 

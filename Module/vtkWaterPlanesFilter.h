@@ -8,12 +8,13 @@
  * output and share one mirrored view. vtkWaterLakes turns the blocks into water.
  *
  * The plane minimises the mean square of the heights, weighted by the area projected along
- * UpDirection. It is horizontal unless it is tilted by 1e-4 to 0.52 rad (30 degrees) and the tilt
- * explains at least half of the heights' mean square: waves leave it horizontal, the slope of a
- * river does not. Parts share a plane if their distance from the plane of the larger one is at most
- * a millionth of the surface's diagonal plus the rounding of its coordinates. There are at most
- * MaximumNumberOfPlanes, those of the largest parts. If there are other parts, they form one more
- * block, the last one (the rest). No mirrored view is correct for all of them.
+ * UpDirection. It is used if it is tilted by 1e-4 to 0.52 rad (30 degrees) and the tilt explains at
+ * least half of the heights' mean square; otherwise a horizontal plane is used. So waves leave the
+ * plane horizontal, and the slope of a river does not. Parts share a plane if their distance from
+ * the plane of the larger one is at most a millionth of the surface's diagonal plus the rounding of
+ * its coordinates. There are at most MaximumNumberOfPlanes, those of the largest parts. If there
+ * are other parts, they form one more block, the last one (the rest). No mirrored view is correct
+ * for all of them.
  *
  * The blocks are vtkPolyData, the block of the largest part first, with all arrays and five arrays
  * of field data: "WaterPlaneOrigin" and "WaterPlaneNormal" (3 numbers each; the origin of a

@@ -502,9 +502,10 @@ public:
   ///@}
 
   /**
-   * Property key that leaves a prop out of reflections, with any value except 0. With the value 0
-   * rulers, axes (vtkCubeAxesActor, vtkAxesActor, vtkPolarAxesActor, vtkGridAxesActor3D and others)
-   * and a vtkFollower with a vtkVectorText are reflected, which they are not without the key.
+   * Property key that leaves a prop out of reflections, with any value except 0. The value 0 makes
+   * a prop reflected that is left out without the key: rulers, axes (vtkCubeAxesActor,
+   * vtkAxesActor, vtkPolarAxesActor, vtkGridAxesActor3D and others), and a vtkFollower with a
+   * vtkVectorText.
    * vtkBillboardTextActor3D and vtkFlagpoleLabel are never reflected.
    */
   static vtkInformationIntegerKey* NOT_REFLECTED();

@@ -227,9 +227,10 @@ def add_water(
         The point from which ``level`` is measured.
 
     surface : pyvista.DataSet, optional
-        The water's surface, such as a lake's polygon or a free surface. Unconnected parts, such as several lakes, get
-        one water each, in the plane that fits it best (:vtk:`vtkWaterLakes`). With a number as ``level`` there is one
-        water, and all of the surface must lie in its plane, apart from waves. The default is a built-in sheet.
+        The water's surface, such as a lake's polygon or a free surface. For each unconnected part, such as one of
+        several lakes, the plane that fits it best is found. There is one water per plane (:vtk:`vtkWaterLakes`). With a
+        number as ``level`` there is one water, and all of the surface must lie in its plane, apart from waves. The
+        default is a built-in sheet.
 
     secondary_reflections : bool, optional
         Whether other waters, in other planes, reflect the scene where this water's reflection shows them. The default
