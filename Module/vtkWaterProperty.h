@@ -788,10 +788,10 @@ public:
   ///@{
   /**
    * Rays of the ray-traced lookup: the number of rays for a pixel whose neighbour has another
-   * colour, in [1, 16]. All other pixels have one. A pixel of rough water, which has several
-   * facets, also has one if this number is at most 4. If the number is larger, it has four where
-   * its colour differs from that of its neighbours. Unless RayTraceLayers is 2, GPUs ignore this
-   * setting, because it costs a quarter of the frame there. Default is 4.
+   * colour, in [1, 16]. All other pixels have one. Pixels of rough water also have one: if this
+   * number is at most 4, they show the mean of up to three facets, and if it is larger, the
+   * integral over all slopes, which is smooth and takes longer. Unless RayTraceLayers is 2, GPUs
+   * use one ray in every pixel, because several cost a quarter of the frame there. Default is 4.
    */
   void SetRayTraceRays(int rays);
   vtkGetMacro(RayTraceRays, int);

@@ -3,6 +3,7 @@
 #include "vtkWaterCompat.h"
 #include "vtkWaterPropertyInternals.h"
 #include "vtkWaterSnapshot.h"
+#include "water_quality.h"
 #include "water_units.h"
 #include "water_whitecap.h"
 
@@ -101,6 +102,7 @@ void vtkWaterProperty::DescribeWaves(vtkWaterLook& look)
   look.Has.has_slope_variance = this->SlopeVariance[0] + this->SlopeVariance[1] > 0.0;
   look.Has.has_wave_geometry = this->WaveGeometry;
   look.Has.has_whitecaps = this->Whitecaps;
+  look.Has.has_all_slopes = water_rays_take_all_slopes(this->RayTraceRays);
   std::copy_n(this->SlopeVariance, 3, look.SlopeVariance);
   this->GetMeanSlopes(look.HidesWaves, look.MeanSlopes);
   look.SlopeRMS = look.HidesWaves ? 0.0 : this->GetSlopeRMS();

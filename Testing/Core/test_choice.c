@@ -205,6 +205,21 @@ TEST(qualities_have_names)
   assert_memory_equal(&kept, &last, sizeof last);
 }
 
+// All slopes of a pixel are for "high" alone, and for whoever asks for more rays than the
+// default's.
+TEST(many_rays_take_all_slopes)
+{
+  static const char* const names[4] = { "fast", "default", "high", "reference" };
+  for (int i = 0; i < 4; ++i)
+  {
+    water_ray_quality quality;
+    assert_int_equal(water_quality_of_name(names[i], &quality), WATER_OK);
+    assert_int_equal(water_rays_take_all_slopes(quality.rays), i == 2);
+  }
+  assert_false(water_rays_take_all_slopes(4));
+  assert_true(water_rays_take_all_slopes(5));
+}
+
 // The first frame of an average looks through the pixels' middles, and 64 are spread so evenly that
 // each ninth of the pixel has 5 to 10.
 TEST(frames_of_an_average_are_spread_evenly)
@@ -225,7 +240,7 @@ TEST(frames_of_an_average_are_spread_evenly)
   }
 }
 
-TESTS(qualities_have_names, frames_of_an_average_are_spread_evenly, first_memory_is_empty,
-  fixed_quality_is_the_users, target_error_has_its_step_and_keeps_it,
+TESTS(qualities_have_names, many_rays_take_all_slopes, frames_of_an_average_are_spread_evenly,
+  first_memory_is_empty, fixed_quality_is_the_users, target_error_has_its_step_and_keeps_it,
   bad_first_target_is_the_finest_step, budgets_follow_the_times, still_picture_has_the_finest_step,
   own_waters_get_their_shares)

@@ -22,6 +22,7 @@ static const struct
   { WATER_FEATURE_FLAG(SEA), { SEA }, 0 },
   { WATER_FEATURE_FLAG(NORMAL_MAPS), { NORMAL_MAPS }, 0 },
   { WATER_FEATURE_FLAG(ROUGH), { ROUGH }, 0 },
+  { WATER_FEATURE_FLAG(COLUMN), { ALL_SLOPES, ROUGH }, ENVIRONMENT | OFFSET },
   { WATER_FEATURE_FLAG(DISPLACED), { GEOMETRY, MOVERS }, 0 },
   { WATER_FEATURE_FLAG(SEA_MOVES), { GEOMETRY, SEA }, 0 },
   { WATER_FEATURE_FLAG(WHITECAPS), { WHITECAPS, SEA }, 0 },
@@ -239,7 +240,7 @@ TEST(ground_is_for_what_is_seen_through)
 }
 
 // On hardware reads go out together, for what reads, and a pixel has one ray unless there is a
-// peel: nothing else changes.
+// peel: nothing else changes. All slopes of a pixel are no facets.
 TEST(hardware_reads_in_batches)
 {
   for (unsigned has = 0; has < LOOKS; ++has)
@@ -247,7 +248,7 @@ TEST(hardware_reads_in_batches)
     const water_feature_set features = expected_of(has);
     const bool is_traced = (has & RAYS) && !(has & (ENVIRONMENT | OFFSET));
     const water_feature_set batched = (is_traced ? WATER_FEATURE_HARDWARE_RAYS : 0) |
-      (is_traced && (has & ROUGH) ? WATER_FEATURE_HARDWARE_FACETS : 0) |
+      (is_traced && (has & ROUGH) && !(has & ALL_SLOPES) ? WATER_FEATURE_HARDWARE_FACETS : 0) |
       ((has & REFRACTION) && (has & OPAQUE) ? WATER_FEATURE_HARDWARE_MEDIUM : 0) |
       ((has & WAVES) ? WATER_FEATURE_HARDWARE_TILE : 0);
     const water_feature_set peeled = is_traced ? features | WATER_FEATURE_PEELED : features;

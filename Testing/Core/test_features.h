@@ -26,7 +26,8 @@ enum
   OUTPUT = 1 << 12,
   OFFSET = 1 << 13, // how it looks up, not ray traced
   WHITECAPS = 1 << 14,
-  LOOKS = 1 << 15,
+  ALL_SLOPES = 1 << 15,
+  LOOKS = 1 << 16,
   MOVERS = SINES | SEA,
   WAVES = SINES | SEA | NORMAL_MAPS,
   ROUGH = WAVES | SLOPES,
@@ -55,6 +56,7 @@ static inline water_feature_look look_of(unsigned has)
   look.has_shadows = (has & SHADOWS) != 0;
   look.has_output = (has & OUTPUT) != 0;
   look.has_whitecaps = (has & WHITECAPS) != 0;
+  look.has_all_slopes = (has & ALL_SLOPES) != 0;
   return look;
 }
 

@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+import random_seas
 import water_test as wt
 
 SIZE = (240, 160)
@@ -15,6 +16,7 @@ SLAB = np.array([(-60.0, 59.0, 11.0), (60.0, 69.0, 12.5)])  # hangs over the wat
 HORIZON = 90  # rows that show water alone
 ROWS, COLUMNS = range(4, 84, 8), range(20, 220, 16)
 SIDE = 7  # rays in each direction of a pixel
+SEAS = range(101, 107)
 
 
 def sea(wall, color=(1.0, 0.0, 0.0)):
@@ -92,3 +94,21 @@ def test_what_looks_like_the_sky_changes_no_water(monkeypatch, software):
     without = view.picture().astype(int)[:HORIZON]
     wt.check_at_least("the water's blue", float(without[..., 2].mean()), 5.0)
     wt.check_at_most("a slab of the sky's colour: largest difference of the water", int(abs(with_slab - without).max()), 1)
+
+
+@pytest.mark.parametrize("software", ["1", "0"])
+def test_high_takes_all_slopes(monkeypatch, software):
+    """Of random seas: facets either meet a thing or miss it, and their share of a hanging one jumps from pixel to pixel."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", software)
+    errors = {"default": [], "high": []}
+    for seed in SEAS:
+        sea_of = random_seas.Sea(seed)
+        sea_of.view.picture()
+        truth, is_water = sea_of.truth()
+        for quality, found in errors.items():
+            off = sea_of.picture(quality)[is_water] - truth
+            found.append(np.sqrt((off**2).mean()))
+            print(f"sea {seed}, {quality}: RMSE of 255: {found[-1]:.2f}")
+    mean = {quality: np.mean(found) for quality, found in errors.items()}
+    wt.check_at_most(f"{len(SEAS)} random seas, high: mean RMSE of 255", mean["high"], 15.0)
+    wt.check_at_most(f"{len(SEAS)} random seas: high / default", mean["high"] / mean["default"], 0.9)

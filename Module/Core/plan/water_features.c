@@ -72,10 +72,13 @@ water_feature_set water_features_of(const water_feature_look* look)
 {
   const bool is_rough = water_features_is_rough(look);
   const bool is_clear = look->has_refraction && look->is_opaque;
-  return reflection_of(look) | if_has(has_waves(look), WATER_FEATURE_WAVES) |
+  const water_feature_set reflection = reflection_of(look);
+  const bool is_traced = (reflection & WATER_FEATURE_RAY_TRACED) != 0;
+  return reflection | if_has(has_waves(look), WATER_FEATURE_WAVES) |
     if_has(look->has_sea, WATER_FEATURE_SEA) |
     if_has(look->has_normal_maps, WATER_FEATURE_NORMAL_MAPS) |
     if_has(is_rough, WATER_FEATURE_ROUGH) |
+    if_has(is_traced && is_rough && look->has_all_slopes, WATER_FEATURE_COLUMN) |
     if_has(water_features_is_displaced(look), WATER_FEATURE_DISPLACED) |
     if_has(look->has_sea && look->has_wave_geometry, WATER_FEATURE_SEA_MOVES) |
     if_has(has_whitecaps(look), WATER_FEATURE_WHITECAPS) | if_has(is_clear, WATER_FEATURE_MEDIUM) |
@@ -183,9 +186,11 @@ water_feature_set water_features_on_hardware(water_feature_set features)
 {
   const bool is_traced = (features & WATER_FEATURE_RAY_TRACED) != 0;
   const bool is_peeled = (features & WATER_FEATURE_PEELED) != 0;
+  const bool is_faceted =
+    (features & WATER_FEATURE_ROUGH) != 0 && (features & WATER_FEATURE_COLUMN) == 0;
   const water_feature_set kept = is_peeled ? features : features & ~WATER_FEATURE_SEVERAL_RAYS;
   return kept | if_has(is_traced, WATER_FEATURE_HARDWARE_RAYS) |
-    if_has(is_traced && (features & WATER_FEATURE_ROUGH) != 0, WATER_FEATURE_HARDWARE_FACETS) |
+    if_has(is_traced && is_faceted, WATER_FEATURE_HARDWARE_FACETS) |
     if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_HARDWARE_MEDIUM) |
     if_has((features & WATER_FEATURE_WAVES) != 0, WATER_FEATURE_HARDWARE_TILE);
 }

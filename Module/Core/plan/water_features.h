@@ -62,7 +62,8 @@ extern "C"
   X(SHORE, "a user's mesh is cut at the shore while it is drawn")                                  \
   X(OPEN, "open water: no ground is under it")                                                     \
   X(BELOW_LAYER, "the own view has a layer of translucent props")                                  \
-  X(RANK_REGION, "a rank shows the water in its own part of space")
+  X(RANK_REGION, "a rank shows the water in its own part of space")                                \
+  X(COLUMN, "a pixel reflects what all of its slopes see, not only some facets")
 
 typedef enum water_feature_bit
 {
@@ -237,10 +238,11 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(ground, vtkWaterNoGroundFS, WATER_FEATURE_FLAG(MEDIUM),                                        \
     WATER_FEATURE_FLAG(GROUND) | WATER_FEATURE_FLAG(OPEN), "deep water")                           \
   X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0, "the slopes of the facets") \
-  X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), WATER_FEATURE_FLAG(HARDWARE_FACETS),      \
-    "several facets per pixel")                                                                    \
+  X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH),                                           \
+    WATER_FEATURE_FLAG(HARDWARE_FACETS) | WATER_FEATURE_FLAG(COLUMN), "several facets per pixel")  \
   X(facets, vtkWaterHardwareFacetsFS, WATER_FEATURE_FLAG(HARDWARE_FACETS), 0,                      \
     "the same, with branches")                                                                     \
+  X(facets, vtkWaterColumnFS, WATER_FEATURE_FLAG(COLUMN), 0, "all slopes of a pixel")              \
   X(facets, vtkWaterNoFacetsFS, 0, WATER_FEATURE_FLAG(ROUGH), "one")                               \
   X(rays, vtkWaterRaysFS, WATER_FEATURE_FLAG(SEVERAL_RAYS), 0,                                     \
     "several rays per pixel where neighbours differ")                                              \
@@ -341,6 +343,7 @@ typedef enum water_lookup_kind
   X(has_glitter, "glitter of the sun on slopes that a pixel does not resolve")                     \
   X(has_foam, "at the shore or on crests")                                                         \
   X(has_shadows, "on glitter and foam")                                                            \
+  X(has_all_slopes, "water_rays_take_all_slopes")                                                  \
   X(has_output, "other than the colour")
 
 typedef struct water_feature_look

@@ -194,6 +194,10 @@ typedef struct water_ray_quality
 // Source: measured, Documentation/decisions/006-lookup.md.
 water_status water_quality_of_name(const char* name, water_ray_quality* quality);
 
+// Does a pixel reflect what all of its slopes see, and not only what some facets see? So many rays
+// mean that accuracy counts for more than time.
+bool water_rays_take_all_slopes(int rays);
+
 // Shift of frame number i of an average, in pixels, each component in [-0.5, 0.5). Any number of
 // frames is distributed evenly, and the first is not shifted. Source: Roberts 2018, "The
 // Unreasonable Effectiveness of Quasirandom Sequences" (R2).

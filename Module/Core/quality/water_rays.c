@@ -31,6 +31,11 @@ water_status water_quality_of_name(const char* name, water_ray_quality* quality)
   return WATER_BAD_QUALITY_NAME;
 }
 
+bool water_rays_take_all_slopes(int rays)
+{
+  return rays > 4;
+}
+
 void water_quality_jitter(unsigned i, double place_px[2])
 {
   static const double step[2] = { 0.75487766624669276, 0.56984029099805327 };

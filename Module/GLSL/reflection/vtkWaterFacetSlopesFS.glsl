@@ -104,6 +104,13 @@ float waterFacetAim(float node, float level, int count)
   return count > 2 ? max(node, level + WATER_OVER_LEVEL) : node;
 }
 
+// The share of the light that a facet reflects.
+float waterFacetReflectance(WaterPoint point, vec3 normal)
+{
+  float cosine = waterFacing(point.ray, normal);
+  return waterReflectance < 0.0 ? waterFresnel(cosine, max(waterEta, 0.0)) : waterReflectance;
+}
+
 // Finds where two neighbours, of which one sees something nearer than the other, change from one to the other:
 // the edge of the nearer. Without, the edges would be seen once per facet. A facet whose ray would meet the nearer
 // object has missed it, and sees it, too; its edge to the facet before it stays. waterNearest is the ray's of the facet with

@@ -9,13 +9,6 @@ float waterFacetDepth(vec2 uv, float depth, float nearest)
   return depth < nearest || waterIsUnder(uv, depth, waterFloor) ? WATER_UNMET : depth;
 }
 
-// The share of the light that a facet reflects.
-float waterFacetReflectance(WaterPoint point, vec3 normal)
-{
-  float cosine = waterFacing(point.ray, normal);
-  return waterReflectance < 0.0 ? waterFresnel(cosine, max(waterEta, 0.0)) : waterReflectance;
-}
-
 // A facet on its way: little more than its ray, since registers that wait for reads keep others from being read for.
 struct WaterFacetRay
 {

@@ -6,7 +6,6 @@ uniform int waterRays;          // of such a pixel
 uniform float waterRayContrast; // how much another
 
 const int WATER_FEW_RAYS = 4; // more than these look for edges within each pixel, too
-const int WATER_ROUGH_RAYS = 4; // where a pixel's facets are blurred, which takes more than few rays
 const float WATER_NEARLY_SMOOTH = 2e-4; // waterSmooth of several rays, which are marched; facets are not
 const float WATER_BLURRED = 1e-3; // slope variance from which a pixel's facets are blurred so far that it has no edges
 
@@ -37,14 +36,13 @@ vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, in
   waterSmooth = areSeveral ? WATER_NEARLY_SMOOTH : waterSmooth;
   bool isRough = point.variance.x + point.variance.y > WATER_BLURRED;
   bool areMany = waterRays > WATER_FEW_RAYS;
-  bool mayBeEdge = areSeveral && (areMany || !isRough);
-  int rays = isRough ? WATER_ROUGH_RAYS : waterRays;
+  bool mayBeEdge = areSeveral && !isRough;
   int sure = areMany && !isRough ? 2 : 0; // rays beside the first that look for an edge in the pixel
   int last = sure;
   int ray = 0;
   do
   {
-    WaterPoint at = waterMovedPoint(point, waterRayPlace(ray, rays), across, down);
+    WaterPoint at = waterMovedPoint(point, waterRayPlace(ray, waterRays), across, down);
     vec4 seen;
     int why = reason;
     vec2 where = uv;
@@ -54,7 +52,7 @@ vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, in
     bool isFirst = ray == 0;
     vec3 change = max(isFirst ? max(abs(dFdx(seen.rgb)), abs(dFdy(seen.rgb))) : vec3(0.0), high - low);
     bool isEdge = mayBeEdge && max(change.r, max(change.g, change.b)) > waterRayContrast;
-    last = isEdge && ray <= sure ? rays : last;
+    last = isEdge && ray <= sure ? waterRays : last;
     reason = isFirst ? why : reason;
     uv = isFirst ? where : uv;
     sum += isFirst && last > 0 ? vec4(0.0) : seen;
