@@ -30,13 +30,14 @@ flipped left to right, so that VTK composes what lies in front of, above and beh
 its test states it (`Testing/Python/Matrix`).
 
 The figures are the share of the water's pixels that differ by more than 1/255, and the RMSE (of 255) over all of the
-water's pixels. At most 0.05 % may differ; otherwise the last column gives the reason, and the RMSE is at most 1 or the
-reason begins with *Wrong*: the reflection is known to be wrong. In every cell that is not *Wrong*, the pixels beside
+water's pixels. In an exact cell, at most 0.05 % of these pixels differ. For every other cell, the last column gives
+the reason. Its RMSE is then at most 1, unless the reason begins with *Wrong*, which means that the reflection is known
+to be wrong. In every cell that is not *Wrong*, the pixels beside
 the water equal, within 1/255, those of the scene without the water; those of the scene with an ordinary sheet, if any
 sheet changes them (shadow maps, hidden line removal); or those of the composed picture (the one with the sheet), if a
 filter mixes them with the water. *Without it* is the same share for a picture that lacks the feature under test; if it
-were 0, the cell could not fail. With two windows (OSMesa and EGL), the worse figure is given. Statements are true or
-false. Pairs of pictures are kept in the build tree, under `Testing/Temporary*/mirror-matrix`.
+were 0, the cell could not fail. With two windows (OSMesa and EGL), the worse figure is given. Some cells test a
+statement instead of comparing pictures; for them the table shows *true* or *false*. Pairs of pictures are kept in the build tree, under `Testing/Temporary*/mirror-matrix`.
 """
 
 
