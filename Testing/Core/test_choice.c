@@ -228,6 +228,9 @@ TEST(frames_of_an_average_are_spread_evenly)
   double place[2];
   water_quality_jitter(0, place);
   assert_true(place[0] == 0.0 && place[1] == 0.0);
+  water_quality_jitter(1, place); // 1 / 1.32471796, and that squared, of which wholes are taken off
+  ASSERT_CLOSE(place[0], 0.75487767 - 1.0, 1e-8);
+  ASSERT_CLOSE(place[1], 0.56984029 - 1.0, 1e-8);
   for (unsigned i = 0; i < 64; ++i)
   {
     water_quality_jitter(i, place);
