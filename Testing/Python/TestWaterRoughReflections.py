@@ -50,8 +50,10 @@ def share_of_wall(wall, water, camera, row, column):
     normal = [0.0, 0.0, 0.0]
     for place in np.ndindex(SIDE, SIDE):
         y, x = (2 * (np.array((row, column)) + (np.array(place) + 0.5) / SIDE) - (SIZE[1], SIZE[0])) / SIZE[1]
-        ray = wt.unit(ahead + half * (x * right + y * up))
-        point = eye - ray * eye[2] / ray[2]
+        start, ray = eye, wt.unit(ahead + half * (x * right + y * up))
+        if camera.GetParallelProjection():
+            start, ray = eye + camera.GetParallelScale() * (x * right + y * up), ahead
+        point = start - ray * start[2] / ray[2]
         water.GetWaveNormal(point[0], point[1], normal)
         facing = -np.dot(ray, normal)
         if facing <= 0.0:
@@ -112,3 +114,60 @@ def test_high_takes_all_slopes(monkeypatch, software):
     mean = {quality: np.mean(found) for quality, found in errors.items()}
     wt.check_at_most(f"{len(SEAS)} random seas, high: mean RMSE of 255", mean["high"], 15.0)
     wt.check_at_most(f"{len(SEAS)} random seas: high / default", mean["high"] / mean["default"], 0.9)
+
+
+def lit_by_wall(wall, eye, ray, variance):
+    """Of the light that a mirror of normally distributed slopes reflects along a ray, the wall's."""
+    azimuth = wt.unit((ray[0], ray[1], 0.0))
+    point = eye - ray * eye[2] / ray[2]
+    met = seen = 0.0
+    for slope in np.arange(-4.0, 4.0, 0.02):
+        normal = wt.unit(np.array((0.0, 0.0, 1.0)) - np.sqrt(variance) * slope * azimuth)
+        facing = max(-np.dot(ray, normal), 0.0) / normal[2] * np.exp(-0.5 * slope**2)
+        mirrored = ray - 2.0 * np.dot(ray, normal) * normal
+        mirrored[2] = max(abs(mirrored[2]), 1e-6)  # once more off the water
+        met += meets_wall(wall, point, mirrored + 1e-9) * facing
+        seen += facing
+    return met / seen
+
+
+@pytest.mark.parametrize("software", ["1", "0"])
+def test_the_flattest_slopes_of_high_meet_a_wall_that_stands_in_the_water(monkeypatch, software):
+    """From a low eye many rays are flatter than the last one that is looked for; they meet what that one meets."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", software)
+    wall, variance = np.array([(-200.0, 40.0, -1.0), (200.0, 42.0, 4.0)]), 0.05
+    view = wt.View(SIZE, background=(0.0, 0.0, 0.3))
+    water = wt.add_water(view.renderer)
+    look = water.GetWaterProperty()
+    look.SetSlopeVariance(variance, variance)
+    look.SetRayTraceQualityToHigh()
+    water.SetSheetToHorizon()
+    wt.add_actor(view.renderer, wt.box(wall.mean(axis=0), wall[1] - wall[0]), (1.0, 0.0, 0.0), lit=False)
+    eye = np.array((0.0, 0.0, 1.0))
+    camera = wt.place_camera(view.renderer, eye, (0.0, 30.0, 1.0), (0.1, 5000.0))
+    picture = view.picture()[..., 0]
+    half = np.tan(np.radians(camera.GetViewAngle() / 2))
+    rows = range(8, 72, 8)
+    rays = [wt.unit((half / SIZE[1], 1.0, half * ((2 * row + 1) / SIZE[1] - 1.0))) for row in rows]
+    truth = np.array([255 * lit_by_wall(wall, eye, ray, variance) for ray in rays])
+    off = picture[list(rows), SIZE[0] // 2] - truth
+    print("rows' truth of 255:", np.round(truth, 1), "off by", np.round(off, 1))
+    wt.check_at_most("a wall from an eye that is low: most that a row is off, of 255", float(abs(off).max()), 6.0)
+
+
+@pytest.mark.parametrize("software", ["1", "0"])
+def test_high_sees_what_hangs_beside_the_column(monkeypatch, software):
+    """A slab over water that a parallel camera sees: waves turn rays to it out of columns that do not show it."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", software)
+    slab = np.array([(-15.0, 59.0, 9.0), (15.0, 69.0, 12.0)])
+    view, water = sea(slab)
+    water.GetWaterProperty().SetRayTraceQualityToHigh()
+    camera = wt.place_camera(view.renderer, (0.0, -40.0, 30.0), (0.0, 40.0, 0.0), (0.5, 5000.0))
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(30.0)
+    view.picture()
+    rows, columns = range(20, 80, 3), (*range(68, 79, 3), *range(162, 173, 3))  # the slab is from 80 to 160
+    truth = np.array([[255 * share_of_wall(slab, water, camera, row, column) for column in columns] for row in rows])
+    picture = view.picture()[..., 0][np.ix_(rows, columns)]
+    print(f"mean of the slab's red beside it: {picture.mean():.2f}, truth {truth.mean():.2f}")
+    wt.check_at_least("beside a slab, parallel camera: its red, of the truth's", float(picture.mean() / truth.mean()), 0.5)

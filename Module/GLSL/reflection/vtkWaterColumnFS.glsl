@@ -9,18 +9,19 @@
 // facets either meet an object or miss it. It is the scan of horizons for ambient occlusion, with colours.
 // Source: Bavoil, Sainz and Dimitrov 2008, "Image-space horizon-based ambient occlusion" (SIGGRAPH talks).
 
-const int WATER_COLUMN_UP = 5;         // places above the calm one, closer to each other near it
-const int WATER_COLUMN_DOWN = 8;      // below it, where a thing that is low and far away is small
-const float WATER_COLUMN_END = 2.5;    // spreads from the mean slope to the last one
-const float WATER_COLUMN_LEAST = 0.004; // share of the light for which one side is not looked at
+const int WATER_COLUMN_UP = 5;             // places above the calm one, closer to each other near it
+const int WATER_COLUMN_DOWN = 8;           // below it, where a thing that is low and far away is small
+const float WATER_COLUMN_END = 2.5;        // spreads from the mean slope to the last one
+const float WATER_COLUMN_LEAST = 0.004;    // share of the light for which one side is not looked at
 const float WATER_COLUMN_HALF = 1.7320508; // spreads from the mean slope to the others whose reflectance is calculated
-const float WATER_COLUMN_THIRD = 0.9674; // below the mean by so many spreads is a sixth of all slopes
+const float WATER_COLUMN_THIRD = 0.9674;   // below the mean by so many spreads is a sixth of all slopes
 
 struct WaterColumn
 {
   vec3 start;  // in the reflection texture: u, v, depth
   vec2 along;  // unit vector of the column
   vec4 gains;  // in place along the column and in depth: of a step ahead, of one upwards
+  vec4 top;    // height of the highest thing; w over the start there, and of a step ahead; sign that the gains were given
   vec2 aside;  // in u, v: of a step to the side, over the determinant of these
   float tilt;  // slope of the pixel to the side, which turns its rays out of the column
   vec2 eye;    // cosine and sine of the angle at which the eye sees the plane
@@ -68,7 +69,7 @@ float waterSlopeTo(WaterColumn column, vec2 way)
 
 float waterInSpreads(WaterColumn column, float slope)
 {
-  return clamp(column.slopes.x * slope + column.slopes.y, column.level, 6.0);
+  return max(min(column.slopes.x * slope + column.slopes.y, 6.0), column.level);
 }
 
 // How far to the side of the column, in u and v, a ray of some slope is at the end of its way.
@@ -91,18 +92,32 @@ float waterDepthInColumn(WaterColumn column, float depth)
   return min(depth, waterReflectionZInfinity) - column.start.z;
 }
 
+// Depth, from the start, at which the ray of a place of the column is over all that there is, or the sky's: no thing that the
+// ray can meet is deeper.
+float waterTopInColumn(WaterColumn column, float along)
+{
+  vec4 gains = column.top.w * column.gains;
+  float sky = waterDepthInColumn(column, WATER_UNMET);
+  float perStep = gains.x - along * column.top.z;
+  float ahead = (along * column.top.y - column.top.x * gains.z) / (abs(perStep) > 1e-20 ? perStep : 1e-20);
+  float w = column.top.y + ahead * column.top.z;
+  float depth = (ahead * gains.y + column.top.x * gains.w) / max(w, 1e-20);
+  return w > 0.0 && depth > 0.0 ? min(depth, sky) : sky;
+}
+
 bool waterIsSameObject(float depth, float other)
 {
   return abs(depth - other) <= waterSameWithin(min(depth, other));
 }
 
 // Depth that the rays of a place of the column can meet. How far they are to the side depends on how far away that is: first as
-// far as the nearest thing yet, or as what is seen straight in the column, then as far as what is found.
+// far as the nearest thing yet, as what is seen straight in the column, or as any thing can be, then as far as what is found.
 float waterDepthAlong(WaterColumn column, float along)
 {
   vec2 at = column.start.xy + along * column.along;
   float guess = waterIsSky(column.near) ? waterDepthToMeet(at) : column.near;
-  float depth = waterDepthToMeet(at + waterAsideAt(column, vec2(along, waterDepthInColumn(column, guess))));
+  float guessed = waterIsSky(guess) ? waterTopInColumn(column, along) : waterDepthInColumn(column, guess);
+  float depth = waterDepthToMeet(at + waterAsideAt(column, vec2(along, guessed)));
   if (!waterIsSameObject(depth, guess))
   {
     float second = waterDepthToMeet(at + waterAsideAt(column, vec2(along, waterDepthInColumn(column, depth))));
@@ -154,7 +169,7 @@ void waterAddPart(vec2 light, bool isSky, float low, float high, vec2 aside, ino
 // side    1: above, -1: below
 // depth   at the start
 // light   waterLightBelow of the calm ray's slope
-// isOver  the last ray ends over all that there is
+// isOver  rays steeper than the last one end over all that there is; those flatter than it meet what it meets
 void waterScanColumn(
   float line, int count, float side, float depth, float light, bool isOver, inout WaterColumn column)
 {
@@ -227,6 +242,7 @@ WaterColumn waterColumnOf(WaterPoint point, vec2 azimuth, vec2 slopes)
   column.gains = vec4(dot(aheadLine.xy, column.along), aheadLine.z, dot(upLine.xy, column.along), upLine.z);
   float turn = column.gains.x * column.gains.w - column.gains.y * column.gains.z;
   column.gains *= sign(turn);
+  column.top = vec4(waterTop(), point.startW + 2.0 * waterTop() * upwards.w, 2.0 * ahead.w, sign(turn));
   column.aside = (aside.xy - centre.xy * aside.w) / max(abs(turn), 1e-30);
   column.thirds = vec2(waterLightBelow(column, -WATER_COLUMN_THIRD), waterLightBelow(column, WATER_COLUMN_THIRD));
   column.near = WATER_UNMET;
@@ -266,6 +282,7 @@ vec3 waterAllSlopesSee(WaterPoint point, vec2 azimuth, float variance, out float
 {
   vec2 slopes = waterFacetSlopes(point, sqrt(variance));
   waterFloor = point.height;
+  waterNearest = -1e30; // not that of another ray
   WaterColumn column = waterColumnOf(point, azimuth, slopes);
   reflectance = column.light.x + column.light.z;
   float depth = waterDepthAlong(column, 0.0);
@@ -278,7 +295,7 @@ vec3 waterAllSlopesSee(WaterPoint point, vec2 azimuth, float variance, out float
   float least = max(column.level + 0.15, -WATER_COLUMN_END);
   hit = waterAim(point.start, point.startW, waterColumnRay(point, azimuth, slopes, least));
   count = light > WATER_COLUMN_LEAST * reflectance ? WATER_COLUMN_DOWN : 0;
-  waterScanColumn(dot(hit.line.xy, column.along), count, -1.0, depth, light, hit.isOver, column);
+  waterScanColumn(dot(hit.line.xy, column.along), count, -1.0, depth, light, false, column);
   waterSpread = waterFacetSpread(slopes.y, 3);
   for (int i = 0; i < 3; ++i)
   {
