@@ -3,6 +3,7 @@
 // highest thing first, and that place is the water's own pixel.
 #include "test_scene.h"
 
+#include "water_math.h"
 #include "water_sun_view.h"
 
 static const uint32_t visible = WATER_PROP_VISIBLE;
@@ -187,6 +188,27 @@ TEST(the_camera_looks_along_the_rays)
   }
 }
 
+// The view is the eye's picture, and not flipped as a mirrored one: it is drawn where the water is.
+TEST(drawn_where_the_water_is)
+{
+  const water_prop post = { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, visible, 0.0f };
+  const double left[4] = { -0.9, -0.5, -0.4, 0.2 };
+  water_scene scene = lake_in_the_sun(&post, 1);
+  scene.is_flat = true;
+  scene.settings.skips |= WATER_MAY_SKIP_PIXELS;
+  water_cull_reason reason = WATER_CULL_NONE;
+  water_plan plan;
+  memset(&plan, 0, sizeof plan);
+  assert_int_equal(water_sun_view_plan(&scene, &scene.plane, 0.0, left, &plan, &reason), WATER_OK);
+  double drawn[4];
+  water_rect_to_ndc(plan.texture_rect_px, plan.texture_px, drawn);
+  for (int i = 0; i < 2; ++i)
+  {
+    assert_true(drawn[i] <= left[i] && drawn[i] > left[i] - 0.03);
+    assert_true(drawn[2 + i] >= left[2 + i] && drawn[2 + i] < left[2 + i] + 0.03);
+  }
+}
+
 // What cannot be planned is said.
 TEST(faults_are_named)
 {
@@ -364,6 +386,6 @@ TEST(shadows_out_of_the_picture_need_no_view)
 
 TESTS(the_view_of_known_casters, the_nearest_water_is_that_in_the_picture,
   the_rectangle_is_that_of_calm_water, shadows_out_of_the_picture_need_no_view,
-  a_ray_to_the_sun_is_one_pixel, the_camera_looks_along_the_rays, faults_are_named,
-  casters_are_drawn_and_nothing_else, without_sun_or_casters_there_is_no_view,
+  a_ray_to_the_sun_is_one_pixel, the_camera_looks_along_the_rays, drawn_where_the_water_is,
+  faults_are_named, casters_are_drawn_and_nothing_else, without_sun_or_casters_there_is_no_view,
   nothing_that_casts_a_shadow_is_cut)

@@ -270,6 +270,10 @@ TEST(rect_beyond_the_map_is_its_border)
   assert_true(rect[0] == 0 && rect[2] == 1 && rect[1] == 599 && rect[3] == 1);
   water_target_rect(before, scale, px, rect);
   assert_true(rect[0] == 799 && rect[2] == 1 && rect[1] == 0 && rect[3] == 1);
+  // of a view that is not flipped
+  int own[4];
+  water_target_rect_of_eye(before, scale, px, own);
+  assert_true(own[0] == 0 && own[2] == 1 && own[1] == 0 && own[3] == 1);
   double box[4];
   water_rect_to_ndc(rect, px, box);
   ASSERT_CLOSE(box[0], 2.0 * 799.0 / 800.0 - 1.0, 1e-15);

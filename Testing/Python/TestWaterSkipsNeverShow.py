@@ -41,6 +41,8 @@ OFTEN = {"nothing": 4, "wall before the eye": 4, "camera creeps": 5, "wall leave
          "camera orbits": 3, "camera under water": 3, "levels again": 3, "reflects next to nothing": 2,
          "environment": 3, "reflects nothing": 3, "culled below": 2}
 
+SINGLE_SKIPS = {name: getattr(Pass, name) for name in (
+    "UNSEEN_WATER", "HIDDEN_WATER", "FAINT_WATER", "UNCHANGED_VIEWS", "SHARED_VIEWS", "PROPS", "PIECES", "PIXELS")}
 DECISIONS = ("RENDERED", "REUSED", "WATER_OUT_OF_VIEW", "NO_REFLECTANCE", "STATIC_ENVIRONMENT", "EDGE_ON",
              "FACING_AWAY", "HIDDEN", "SHARED")
 FATES = ("DRAWN", "INVISIBLE", "WATER_ITSELF", "MARKED_NOT_REFLECTED", "OVERLAY", "LABEL", "EMPTY", "BEHIND_PLANE",
@@ -128,6 +130,15 @@ def test_pictures_are_those_without_skips(kind, samples):
 
 
 @on_whole_walks
+@pytest.mark.parametrize("kind", ["levels", "clear"])
+def test_no_skip_alone_shows(kind):
+    """Each alone: together, one may hide what another does. The two waters of a plane each cover one side of the picture."""
+    views = {name: skip_scenes.Scene(kind, skip) for name, skip in {**SINGLE_SKIPS, "none": Pass.SKIP_NONE}.items()}
+    truth = views.pop("none").view.picture()
+    for name, scene in views.items():
+        wt.check_at_most(f"{kind}, {name} alone: largest difference", wt.difference(scene.view.picture(), truth), LARGEST_ERROR)
+
+
 @pytest.mark.parametrize("kind, samples", [one for one, steps in WALKS.items() if steps >= 10])
 def test_mirrored_views_are_saved(kind, samples):
     """The walk needs fewer mirrored and secondary views than without skips."""

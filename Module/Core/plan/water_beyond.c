@@ -172,7 +172,8 @@ water_status water_beyond_plan(const water_scene* scene, const double box[4], wa
     memcpy(looked_up, box, sizeof looked_up);
     water_beyond_reach(plan->dir_to_eye, looked_up);
   }
-  water_target_rect(looked_up, plan->reflection_scale, plan->texture_px, plan->texture_rect_px);
+  water_target_rect_of_eye(
+    looked_up, plan->reflection_scale, plan->texture_px, plan->texture_rect_px);
   plan->is_software = scene->is_software;
   plan->depth_scale = 1.0;
   fill_background(plan->reflection_scale, plan->reflection_ndc_to_eye);

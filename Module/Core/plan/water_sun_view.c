@@ -151,7 +151,7 @@ water_status water_sun_view_plan(const water_scene* scene, const water_plane* pl
   plan->headlight_dir[2] = -1.0;
   // waves are looked up where the plane is below or above them, which may be elsewhere
   const bool is_level = scene->is_flat && (scene->settings.skips & WATER_MAY_SKIP_PIXELS);
-  water_target_rect(
+  water_target_rect_of_eye(
     is_level ? box : whole, plan->reflection_scale, plan->texture_px, plan->texture_rect_px);
   water_selection selection;
   memset(&selection, 0, sizeof selection);

@@ -165,12 +165,18 @@ static int clamp_px(double value, int size)
 void water_target_rect(
   const double box[4], const double reflection_scale[2], const int texture_px[2], int rect_px[4])
 {
+  const double flipped[4] = { -box[2], box[1], -box[0], box[3] };
+  water_target_rect_of_eye(flipped, reflection_scale, texture_px, rect_px);
+}
+
+void water_target_rect_of_eye(
+  const double box[4], const double reflection_scale[2], const int texture_px[2], int rect_px[4])
+{
   for (int i = 0; i < 2; ++i)
   {
     const int size = texture_px[i];
-    // the reflection texture is flipped in x
-    const double low = reflection_scale[i] * (i == 0 ? -box[2] : box[1]);
-    const double high = reflection_scale[i] * (i == 0 ? -box[0] : box[3]);
+    const double low = reflection_scale[i] * box[i];
+    const double high = reflection_scale[i] * box[2 + i];
     int first = clamp_px(floor((0.5 + 0.5 * low) * size) - pad_px, size);
     int end = clamp_px(ceil((0.5 + 0.5 * high) * size) + pad_px, size);
     first = first < size ? first : size - 1;

@@ -46,12 +46,16 @@ void water_target_box(
 // box        may leave [-1, 1]
 void water_target_reach(const water_camera* eye, double slope_max, double box[4]);
 
-// The rectangle of the reflection texture for a part of the picture. Two texels are added all
-// around for filtering.
+// The rectangle of the reflection texture, which is flipped in x, for a part of the picture. Two
+// texels are added all around for filtering.
 //
 // reflection_scale  part of the reflection texture per axis that is the picture
 // rect_px    x, y, width, height; within the reflection texture, never empty
 void water_target_rect(
+  const double box[4], const double reflection_scale[2], const int texture_px[2], int rect_px[4]);
+
+// The same of a view that is not flipped: the sun view and the own view.
+void water_target_rect_of_eye(
   const double box[4], const double reflection_scale[2], const int texture_px[2], int rect_px[4]);
 
 // Factor by which the mirrored frustum is wider than the eye's, so that reflected rays find what
