@@ -139,6 +139,7 @@ def test_no_skip_alone_shows(kind):
         wt.check_at_most(f"{kind}, {name} alone: largest difference", wt.difference(scene.view.picture(), truth), LARGEST_ERROR)
 
 
+@on_whole_walks
 @pytest.mark.parametrize("kind, samples", [one for one, steps in WALKS.items() if steps >= 10])
 def test_mirrored_views_are_saved(kind, samples):
     """The walk needs fewer mirrored and secondary views than without skips."""

@@ -83,12 +83,14 @@ def truth_of(name, waves):
     return shown, mask & (np.abs(shown - bare).max(axis=2) > 8)
 
 
-def compare(name, waves, limit, blending="", samples=0):
-    view, _ = made_of(*SCENES[name], waves, blending, samples)
+def compare(name, waves, limit, blending="", samples=0, quality="default"):
+    view, water = made_of(*SCENES[name], waves, blending, samples)
+    water.GetWaterProperty().SetRayTraceQuality(quality)
     picture = view.picture()
     truth, mask = truth_of(name, waves)
     label = " ".join((name, "on long waves" if waves is LONG else "on short waves", blending)).strip()
     label += f", {samples} samples" if samples else ""
+    label += f", {quality}" if quality != "default" else ""
     wt.save(np.concatenate([picture, truth], axis=1),
             wt.output_folder() / f"TestWaterWavesReflectTranslucent-{label.replace(' ', '-')}.png")
     wt.check_at_least(f"{label}: pixels that show it", int(mask.sum()), 500)
@@ -120,6 +122,13 @@ def test_long_waves_reflect(name, limit):
 def test_short_waves_reflect(name, limit):
     """Waves that stand for several facets a pixel show the scene as the ray caster has it."""
     compare(name, SHORT, limit)
+
+
+@pytest.mark.parametrize("software", ["1", "0"])
+def test_all_slopes_of_short_waves_reflect(monkeypatch, software):
+    """Quality "high" has no facets there, but the layer of what is translucent all the same."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", software)
+    compare("a sphere over the sky", SHORT, 12.6, quality="high")
 
 
 def test_depth_peeling_changes_no_reflection():

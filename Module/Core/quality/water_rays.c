@@ -31,9 +31,14 @@ water_status water_quality_of_name(const char* name, water_ray_quality* quality)
   return WATER_BAD_QUALITY_NAME;
 }
 
+enum
+{
+  few_rays = 4 // as WATER_FEW_RAYS of vtkWaterRaysFS.glsl
+};
+
 bool water_rays_take_all_slopes(int rays)
 {
-  return rays > 4;
+  return rays > few_rays;
 }
 
 void water_quality_jitter(unsigned i, double place_px[2])

@@ -126,7 +126,8 @@ float waterDepthAlong(WaterColumn column, float along)
   return depth;
 }
 
-// The part of the column between two places in which its depth changes from one to the other; of a quarter.
+// Where between two places of the column its depth changes from that of one to that of the other: the last quarter of the way
+// that is as the first place, 0 to 0.75.
 //
 // aside  of the nearer of the two
 // limit  depth of what still belongs to it
@@ -162,6 +163,19 @@ void waterAddPart(vec2 light, bool isSky, float low, float high, vec2 aside, ino
   }
 }
 
+// Adds what slopes up to one see that none before has seen.
+//
+// side   1: above the calm place, -1: below
+// slope  in spreads
+// light  waterLightBelow of the last slope that sees something
+void waterAddUpTo(float side, float slope, bool isSky, float low, float high, vec2 aside, inout float light, inout WaterColumn column)
+{
+  float next = waterLightBelow(column, slope);
+  next = side > 0.0 ? max(next, light) : min(next, light);
+  waterAddPart(vec2(min(light, next), max(light, next)), isSky, low, high, aside, column);
+  light = next;
+}
+
 // What the rays of one side of the column meet, above or below the calm one.
 //
 // line    length of the column, with its sign
@@ -193,18 +207,13 @@ void waterScanColumn(
       // things that stand in the water end at the waterline
       from = mix(lowAlong, along, border + (side < 0.0 && isLowNear ? 0.25 : 0.125));
       vec2 place = vec2(from, waterDepthInColumn(column, near));
-      float next = waterLightBelow(column, waterInSpreads(column, waterSlopeTo(column, waterWayTo(column, place))));
-      next = side > 0.0 ? max(next, light) : min(next, light);
-      waterAddPart(vec2(min(light, next), max(light, next)), waterIsSky(lowDepth), lowAlong, from, lowAside, column);
-      light = next;
+      float edge = waterInSpreads(column, waterSlopeTo(column, waterWayTo(column, place)));
+      waterAddUpTo(side, edge, waterIsSky(lowDepth), lowAlong, from, lowAside, light, column);
     }
     vec2 way = waterWayTo(column, vec2(along, waterDepthInColumn(column, here)));
     float slope = waterSlopeTo(column, way);
     lowAside = waterAsideOf(column, way, slope);
-    float next = waterLightBelow(column, waterInSpreads(column, slope));
-    next = side > 0.0 ? max(next, light) : min(next, light);
-    waterAddPart(vec2(min(light, next), max(light, next)), waterIsSky(here), from, along, lowAside, column);
-    light = next;
+    waterAddUpTo(side, waterInSpreads(column, slope), waterIsSky(here), from, along, lowAside, light, column);
     lowAlong = along;
     lowDepth = here;
   }
